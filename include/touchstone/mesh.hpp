@@ -217,17 +217,6 @@ struct MeshContact {
   Answer answer;          ///< that of `solve` for this pair and this separation
 };
 
-/// A sort of element.
-enum class MeshElement : std::uint8_t {
-  vertex,  ///< a vertex
-  edge,    ///< an edge
-  face     ///< a face
-};
-
-/// "vertex", "edge", "face".
-template <>
-Names names_of<MeshElement>() noexcept;
-
 /// How two elements of a mesh meet at rest.
 enum class IntersectionSort : std::uint8_t {
   /// They share a point, and no vertex: in a corner or border, or lying in each other.

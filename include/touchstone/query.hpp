@@ -20,6 +20,17 @@ struct Vec3 {
   double z = 0;  ///< the third coordinate
 };
 
+/// A sort of element.
+enum class MeshElement : std::uint8_t {
+  vertex,  ///< a vertex
+  edge,    ///< an edge
+  face     ///< a face
+};
+
+/// "vertex", "edge", "face".
+template <>
+Names names_of<MeshElement>() noexcept;
+
 /// The two elements that a query is about.
 enum class Kind : std::uint8_t {
   edge_edge,    ///< a segment against a segment

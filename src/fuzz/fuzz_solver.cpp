@@ -40,9 +40,9 @@ fuzz::Settings settings_of(const FuzzOptions& options) {
                        std::to_string(fuzz::kMostClimbSteps));
   }
   for (const Kind kind : options.kinds) {
-    if (kind <= Kind::point_point) continue;
+    if (kind <= kKinds.back()) continue;
     throw InvalidQuery("one of the kinds is " + std::to_string(static_cast<int>(kind)) + "; it must be one of 0 to " +
-                       std::to_string(static_cast<int>(Kind::point_point)));
+                       std::to_string(static_cast<int>(kKinds.back())));
   }
   if (!(options.separation.distance >= 0) || !std::isfinite(options.separation.distance)) {
     throw InvalidQuery("the separation is " + fuzz::decimal_text(options.separation.distance) +

@@ -11,6 +11,7 @@
 #include "filters/apart/same_side.hpp"
 #include "filters/apart/separating_direction.hpp"
 #include "filters/curved/curved_paths.hpp"
+#include "geometry/kind_traits.hpp"
 
 namespace touchstone::fuzz {
 namespace {
@@ -166,7 +167,7 @@ double filter_margin(const Query& query, const Separation& separation) noexcept 
 double filter_margin(const CurvedQuery& query, const Separation& separation) noexcept {
   const filters::CurvedPaths paths = filters::curved_paths(query);
   if (!paths.known) return kInfinity;
-  const std::size_t first_of_b = query.kind == Kind::edge_edge ? 2 : 1;
+  const std::size_t first_of_b = geometry::corners_of_first(query.kind);
   std::array<Vector, 2> middle{};
   std::array<double, 2> count{};
   for (std::size_t i = 0; i < corner_count(query.kind); ++i) {

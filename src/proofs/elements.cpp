@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "exact/corners.hpp"
+#include "geometry/kind_traits.hpp"
 
 namespace touchstone::proofs {
 namespace {
@@ -12,7 +13,7 @@ Elements empty_elements(Kind kind, const Separation& separation, const Exact& fa
   Elements elements;
   elements.kind = kind;
   elements.count = corner_count(kind);
-  elements.first_count = kind == Kind::edge_edge ? 2 : 1;
+  elements.first_count = geometry::corners_of_first(kind);
   elements.separation = Exact(separation.distance) * factor;
   elements.metric = separation.metric;
   return elements;
@@ -81,13 +82,19 @@ Elements elements_of(const CurvedQuery& query, const Separation& separation) {
 }
 
 CornersAndEdges corners_and_edges(Kind kind) {
-  switch (kind) {
-    case Kind::edge_edge: return {{{{0, 2, 3}, {1, 2, 3}, {2, 0, 1}, {3, 0, 1}}}, 4};
-    case Kind::vertex_face: return {{{{0, 1, 2}, {0, 2, 3}, {0, 3, 1}}}, 3};
-    case Kind::point_edge: return {{{{0, 1, 2}}}, 1};
-    case Kind::point_point: break;
-  }
-  return {};
+  CornersAndEdges all{};
+  const auto add = [&](const geometry::Element& of_corners, std::size_t c, const geometry::Element& of_edges,
+                       std::size_t e) {
+    for (std::size_t i = 0; i < of_corners.corners(); ++i) {
+      for (std::size_t j = 0; j < of_edges.edges(); ++j) {
+        all.pairs[all.count++] = {c + i, e + j, e + of_edges.end_of_edge(j)};
+      }
+    }
+  };
+  const auto& [first, second] = geometry::traits_of(kind);
+  add(first, 0, second, first.corners());
+  add(second, first.corners(), first, 0);
+  return all;
 }
 
 }  // namespace touchstone::proofs

@@ -8,6 +8,7 @@
 #include <touchstone/curved.hpp>
 #include <touchstone/solve.hpp>
 
+#include "geometry/kind_traits.hpp"
 #include "io/times.hpp"
 #include "numbers/doubles/float_environment.hpp"
 #include "proofs/body_box.hpp"
@@ -126,22 +127,12 @@ std::vector<MotionPair> StepProver::pairs(const MotionFrame& start, const Motion
 }
 
 std::array<std::uint32_t, 4> StepProver::corners_of(const MotionPair& pair) const noexcept {
-  switch (pair.kind) {
-    case Kind::edge_edge: {
-      const auto &a = elements_.edges[pair.first], &b = elements_.edges[pair.second];
-      return {a[0], a[1], b[0], b[1]};
-    }
-    case Kind::vertex_face: {
-      const auto& face = elements_.faces[pair.second];
-      return {elements_.points[pair.first], face[0], face[1], face[2]};
-    }
-    case Kind::point_edge: {
-      const auto& edge = elements_.edges[pair.second];
-      return {elements_.points[pair.first], edge[0], edge[1], 0};
-    }
-    case Kind::point_point: return {elements_.points[pair.first], elements_.points[pair.second], 0, 0};
-  }
-  return {};
+  const auto number = [&](const geometry::Element& element, Index i) {
+    return element.sort == MeshElement::vertex ? elements_.points[i] : i;
+  };
+  const auto& traits = geometry::traits_of(pair.kind);
+  return geometry::pair_corners(pair.kind, number(traits.first, pair.first), number(traits.second, pair.second),
+                                elements_.edges, elements_.faces);
 }
 
 Separation StepProver::separation_of(const MotionPair& pair) const noexcept {

@@ -85,7 +85,7 @@ void Animation::add_story(AnimationStory story) {
 }
 
 std::string Animation::name(const AnimationElement& element) const {
-  using Sort = AnimationElement::Sort;
+  using Sort = MeshElement;
   std::uint32_t number = element.number, first_vertex = 0;
   for (const AnimationGroup& group : shape_.groups) {
     const std::uint32_t count = element.sort == Sort::edge   ? group.edges
@@ -105,9 +105,8 @@ std::string Animation::name(const AnimationElement& element) const {
     if (element.sort == Sort::face && !shape_.face_numbers.empty()) {
       return fmt::format("face {}{}", shape_.face_numbers[element.number], of);
     }
-    const std::string_view word = element.sort == Sort::edge   ? "edge"
-                                  : element.sort == Sort::face ? "face"
-                                                               : std::string_view(shape_.vertex_name);
+    const std::string_view word =
+        element.sort == Sort::vertex ? std::string_view(shape_.vertex_name) : name_of(element.sort);
     return fmt::format("{} {}{}", word, number + (element.sort == Sort::edge ? 0 : first), of);
   }
   throw Error("an animation has no such element");

@@ -11,6 +11,8 @@
 #include <utility>
 #include <vector>
 
+#include <touchstone/query.hpp>
+
 #include "view/lattice.hpp"
 
 namespace touchstone::view {
@@ -39,8 +41,7 @@ struct AnimationShape {
 
 /// The numbers count over all groups.
 struct AnimationElement {
-  enum class Sort : std::uint8_t { vertex, edge, face };
-  Sort sort = Sort::vertex;
+  MeshElement sort = MeshElement::vertex;
   std::uint32_t number = 0;
 
   auto operator<=>(const AnimationElement&) const = default;

@@ -6,6 +6,7 @@
 
 #include "exact/corners.hpp"
 #include "geometry/frame.hpp"
+#include "geometry/kind_traits.hpp"
 
 namespace touchstone::view {
 namespace {
@@ -14,7 +15,7 @@ MovingCorners corners_of_kind(Kind kind) {
   MovingCorners result;
   result.kind = kind;
   result.count = corner_count(kind);
-  result.first_count = kind == Kind::edge_edge ? 2 : 1;
+  result.first_count = geometry::corners_of_first(kind);
   return result;
 }
 

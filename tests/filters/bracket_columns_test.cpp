@@ -15,6 +15,7 @@
 #include "filters/columns/refined_columns.hpp"
 #include "filters/filters.hpp"
 #include "filters/root_sides.hpp"
+#include "geometry/kind_traits.hpp"
 #include "solver/columns_of.hpp"
 #include "solver/owned_columns.hpp"
 #include "support/catch.hpp"
@@ -46,7 +47,7 @@ std::vector<Query> queries_of_every_family(Kind kind, std::uint64_t of_each) {
   // Boxes are seldom disjoint where V has a root: here the second element is far away.
   for (std::uint64_t index = 0; index < of_each; ++index) {
     Query query = make(CaseId{Family::simulation, kind, 92, index});
-    for (std::size_t i = filters::corners_of_first(kind); i < 4; ++i) {
+    for (std::size_t i = geometry::corners_of_first(kind); i < 4; ++i) {
       query.start[i].x += 100;
       query.end[i].x += 100;
     }

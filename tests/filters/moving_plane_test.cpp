@@ -4,9 +4,9 @@
 #include <array>
 #include <cmath>
 
-#include "filters/apart/boxes.hpp"
 #include "filters/apart/separating_direction.hpp"
 #include "filters/deciding_test.hpp"
+#include "geometry/kind_traits.hpp"
 #include "numbers/integers/exact_number.hpp"
 #include "support/catch.hpp"
 #include "support/query_families.hpp"
@@ -14,8 +14,8 @@
 
 using namespace touchstone;
 using namespace touchstone::tests;
-using filters::corners_of_first;
 using filters::Test;
+using geometry::corners_of_first;
 using numbers::Exact;
 
 namespace {

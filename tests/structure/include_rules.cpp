@@ -19,13 +19,13 @@ const LayerTable& layer_table() {
       {"certify", {"solver", "numbers"}},
       {"baselines", {"geometry"}},
       {"seeded", {}},
-      {"families", {"seeded"}},
+      {"families", {"geometry", "seeded"}},
       {"broad_phase", {"threads"}},
       {"mesh", {"solver", "broad_phase", "filters", "threads", "geometry", "numbers"}},
       {"frames", {"io", "mesh"}},
       {"dropin", {"solver"}},
       {"c_api", {"solver", "mesh"}},
-      {"python", {"solver", "exact", "fuzz", "mesh", "proofs", "view", "io", "threads"}},
+      {"python", {"solver", "exact", "fuzz", "mesh", "proofs", "view", "io", "threads", "geometry"}},
       {"proofs", {"solver", "broad_phase", "exact", "filters", "geometry", "io", "numbers"}},
       {"checker", {}},
       {"view", {"exact", "geometry", "io", "numbers", "proofs"}},
@@ -44,7 +44,7 @@ const LayerTable& layer_table() {
       {"contact", {"broad_phase", "linear", "scene", "rods", "solver", "baselines", "geometry", "numbers"}},
       {"body_contact", {"bodies", "broad_phase", "scene", "contact", "solver", "geometry", "numbers"}},
       {"dynamics", {"linear", "scene", "rods", "contact", "geometry"}},
-      {"sim", {"linear", "scene", "rods", "contact", "body_contact", "dynamics", "mesh", "io", "json"}},
+      {"sim", {"linear", "scene", "rods", "contact", "body_contact", "dynamics", "mesh", "io", "json", "geometry"}},
       {"sequence", {"frames", "mesh", "geometry", "io", "json"}},
       {"report",
        {"solver", "certify", "baselines", "families", "generators", "io", "seeded", "bodies", "body_contact", "scene",
@@ -52,7 +52,7 @@ const LayerTable& layer_table() {
       {"stress", {"solver", "report", "seeded"}},
       {"cli", {"numbers", "filters",  "exact",  "solver",   "certify", "baselines", "generators", "io",
                "report",  "families", "fuzz",   "seeded",   "scene",   "contact",   "sim",        "stress",
-               "mesh",    "threads",  "frames", "sequence", "proofs",  "view"}},
+               "mesh",    "threads",  "frames", "sequence", "proofs",  "view",      "geometry"}},
   };
   return table;
 }

@@ -17,6 +17,7 @@
 #include "view/pages/base64.hpp"
 
 using namespace touchstone::view;
+using touchstone::MeshElement;
 
 namespace {
 
@@ -146,7 +147,7 @@ TEST_CASE("what does not fit into a page is left out, and the page says so; what
   CHECK(animation.has_exact());
   animation.add_frame(3, 3, positions(1), {0, 0});
   CHECK(!animation.has_exact());
-  const auto pair = animation.pair({{AnimationElement::Sort::edge, 0}, {AnimationElement::Sort::face, 0}});
+  const auto pair = animation.pair({{MeshElement::edge, 0}, {MeshElement::face, 0}});
   for (int i = 0; i < 5; ++i) animation.add_mark({1.0, {0, 0, 0}, pair, MarkSort::contact});
   CHECK(animation.marks().size() == 2);
   CHECK(animation.marks_left_out() == 3);
@@ -163,11 +164,11 @@ TEST_CASE("names of an animation are text, and elements are named by their part"
   Animation animation(small_shape(), small_plots());
   animation.add_frame(0, 0, positions(1), {1, 0});
   animation.add_frame(1, 1, positions(2), {2, 1});
-  CHECK(animation.name({AnimationElement::Sort::vertex, 2}) == "particle 2");
-  CHECK(animation.name({AnimationElement::Sort::vertex, 4}) == "particle 1 of <b>\"body\"</b>");
-  CHECK(animation.name({AnimationElement::Sort::edge, 0}) == "edge 0 of <b>\"body\"</b>");
-  const auto pair = animation.pair({{AnimationElement::Sort::edge, 0}, {AnimationElement::Sort::face, 0}});
-  CHECK(pair == animation.pair({{AnimationElement::Sort::edge, 0}, {AnimationElement::Sort::face, 0}}));
+  CHECK(animation.name({MeshElement::vertex, 2}) == "particle 2");
+  CHECK(animation.name({MeshElement::vertex, 4}) == "particle 1 of <b>\"body\"</b>");
+  CHECK(animation.name({MeshElement::edge, 0}) == "edge 0 of <b>\"body\"</b>");
+  const auto pair = animation.pair({{MeshElement::edge, 0}, {MeshElement::face, 0}});
+  CHECK(pair == animation.pair({{MeshElement::edge, 0}, {MeshElement::face, 0}}));
   animation.add_story({1, {0, 0, 1}, pair, MarkSort::crossing, "<script>alert(1)</script>", "<p>html</p>"});
   std::string text;
   AnimationWords words;

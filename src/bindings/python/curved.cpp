@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "geometry/kind_traits.hpp"
 #include "python/answers.hpp"
 #include "python/arguments.hpp"
 #include "python/curved_queries.hpp"
@@ -139,7 +140,7 @@ bool shorten_turns(CurvedQuery& query) {
 CurvedQueries curved_queries(py::handle kind_name, const py::tuple& first, const py::tuple& second, bool shorter) {
   CurvedQueries queries;
   queries.kind = kind_of(kind_name);
-  const std::size_t corners = queries.kind == Kind::edge_edge ? 2 : 1;
+  const std::size_t corners = geometry::corners_of_first(queries.kind);
   const Element a(first, "first", corners), b(second, "second", corner_count(queries.kind) - corners);
   std::optional<std::size_t> rows;
   std::string name;

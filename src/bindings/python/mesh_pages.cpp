@@ -12,6 +12,7 @@
 
 #include "exact/exact.hpp"
 #include "fuzz/judging/finding_text.hpp"
+#include "geometry/kind_traits.hpp"
 #include "python/arguments.hpp"
 #include "python/background.hpp"
 #include "python/define.hpp"
@@ -25,7 +26,6 @@ namespace touchstone::python {
 namespace {
 
 using view::AnimationElement;
-using Sort = AnimationElement::Sort;
 using view::MarkSort;
 using view::Triple;
 
@@ -60,15 +60,8 @@ view::AnimationShape shape_of(const Mesh& mesh) {
 
 /// The sorts of a pair's elements by its kind.
 view::AnimationPair elements_of(const MeshPair& pair) {
-  const Sort first = pair.kind == Kind::edge_edge ? Sort::edge : Sort::vertex;
-  const Sort second = pair.kind == Kind::vertex_face   ? Sort::face
-                      : pair.kind == Kind::point_point ? Sort::vertex
-                                                       : Sort::edge;
-  return {{first, pair.first}, {second, pair.second}};
-}
-
-Sort sort_of(MeshElement element) {
-  return element == MeshElement::vertex ? Sort::vertex : element == MeshElement::edge ? Sort::edge : Sort::face;
+  const auto& [first, second] = geometry::traits_of(pair.kind);
+  return {{first.sort, pair.first}, {second.sort, pair.second}};
 }
 
 /// One step: its animation, and marks of the first contact and of the intersections at both ends.
@@ -142,8 +135,8 @@ class StepPage {
         const auto& edge = mesh_.edges()[one.first];
         for (std::size_t c = 0; c < 2; ++c) add_corner(edge[c], one.weights_first[c]);
       }
-      const AnimationElement first{sort_of(one.first_element), one.first};
-      const AnimationElement second{sort_of(one.second_element), one.second};
+      const AnimationElement first{one.first_element, one.first};
+      const AnimationElement second{one.second_element, one.second};
       const std::uint32_t pair = animation_.pair({first, second});
       animation_.add_mark({time, point, pair, MarkSort::crossing});
       if (!animation_.has_room(MarkSort::crossing)) continue;

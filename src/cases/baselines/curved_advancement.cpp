@@ -9,6 +9,7 @@
 #include "baselines/curved_baseline.hpp"
 #include "baselines/curved_position.hpp"
 #include "baselines/distance.hpp"
+#include "geometry/kind_traits.hpp"
 
 namespace touchstone::baselines {
 namespace {
@@ -88,7 +89,7 @@ Result solve_curved_advancement(const CurvedQuery& query, double t_max, double t
     throw InvalidQuery("curved_advancement takes no " + std::string(name_of(query.kind)) + " queries");
   }
   const CurvedCorners corners(query);
-  const std::size_t first_of_b = query.kind == Kind::edge_edge ? 2 : 1;
+  const std::size_t first_of_b = geometry::corners_of_first(query.kind);
   const Speeds a = speeds_of(corners.query(), 0, first_of_b);
   const Speeds b = speeds_of(corners.query(), first_of_b, corner_count(query.kind));
   const double speed = length_of(b.velocity - a.velocity) + a.beside + b.beside;

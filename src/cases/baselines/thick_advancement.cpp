@@ -7,6 +7,7 @@
 
 #include "baselines/distance.hpp"
 #include "baselines/separation_baseline.hpp"
+#include "geometry/kind_traits.hpp"
 
 namespace touchstone::baselines {
 namespace {
@@ -24,7 +25,7 @@ double displacement_bound(const Query& query, int exponent) {
                  std::scalbn(b.z, -exponent) - std::scalbn(a.z, -exponent)}};
     mean = mean + (1.0 / static_cast<double>(corners)) * moved[i];
   }
-  const std::size_t of_first = query.kind == Kind::edge_edge ? 2 : 1;
+  const std::size_t of_first = geometry::corners_of_first(query.kind);
   double first = 0, second = 0;
   for (std::size_t i = 0; i < corners; ++i) {
     double& largest = i < of_first ? first : second;

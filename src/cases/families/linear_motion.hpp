@@ -7,6 +7,8 @@
 
 #include <touchstone/query.hpp>
 
+#include "geometry/kind_traits.hpp"
+
 namespace touchstone::families {
 
 inline Vec3 operator+(const Vec3& a, const Vec3& b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
@@ -41,13 +43,8 @@ struct ElementSizes {
   std::size_t b;
 };
 constexpr ElementSizes element_sizes(Kind kind) noexcept {
-  switch (kind) {
-    case Kind::edge_edge: return {2, 2};
-    case Kind::vertex_face: return {1, 3};
-    case Kind::point_edge: return {1, 2};
-    case Kind::point_point: return {1, 1};
-  }
-  return {0, 0};
+  const auto& [first, second] = geometry::traits_of(kind);
+  return {first.corners(), second.corners()};
 }
 
 inline Query query_of(Kind kind, const std::array<Moving, 4>& corners) {

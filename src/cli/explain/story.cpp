@@ -13,6 +13,7 @@
 
 #include "cli/shared/command_line/separation_options.hpp"
 #include "cli/shared/words.hpp"
+#include "geometry/kind_traits.hpp"
 #include "io/times.hpp"
 #include "numbers/fraction.hpp"
 #include "solver/ladder.hpp"
@@ -143,7 +144,7 @@ std::string touched(Kind kind, Feature feature, const std::array<double, 3>& wei
 std::string answer_for_person(Kind kind, const Answer& answer, double t_max) {
   const std::string range = t_max == 1 ? "" : fmt::format(" for t in [0, {}]", t_max);
   if (!answer.contact) return fmt::format("\nanswer: no contact{}\n", range);
-  const std::size_t first_count = kind == Kind::edge_edge ? 2 : 1;
+  const std::size_t first_count = geometry::corners_of_first(kind);
   std::string course;
   if (answer.trend != Trend::none) {
     course = fmt::format("  {}the distance then {}\n", answer.starts_within ? "they start within d; " : "",

@@ -23,8 +23,6 @@
 namespace touchstone::cli {
 namespace {
 
-using view::AnimationElement;
-using Sort = AnimationElement::Sort;
 using view::Triple;
 
 view::AnimationShape shape_of(const Mesh& mesh, const frames::Topology& topology) {
@@ -89,10 +87,10 @@ view::AnimationElement MeshAnimation::element(const sequence::NamedElement& name
   for (std::size_t i = 0; i < named.corner_count(); ++i) {
     corners.push_back(static_cast<std::uint32_t>(named.vertices[i] - topology_->first_number));
   }
-  if (named.element == MeshElement::vertex) return {Sort::vertex, corners.front()};
+  if (named.element == MeshElement::vertex) return {named.element, corners.front()};
   std::sort(corners.begin(), corners.end());
   const bool is_edge = named.element == MeshElement::edge;
-  return {is_edge ? Sort::edge : Sort::face, (is_edge ? edges_ : faces_).at(corners)};
+  return {named.element, (is_edge ? edges_ : faces_).at(corners)};
 }
 
 void MeshAnimation::add_result(const sequence::Result& result, const frames::Frame& before,

@@ -8,6 +8,7 @@
 
 #include "cli/shared/exact_corners.hpp"
 #include "exact/exact.hpp"
+#include "geometry/kind_traits.hpp"
 #include "sim/output_text.hpp"
 #include "view/pages/animation_page.hpp"
 #include "view/pages/story_html.hpp"
@@ -15,8 +16,8 @@
 namespace touchstone::cli {
 namespace {
 
+using geometry::traits_of;
 using view::AnimationElement;
-using Sort = AnimationElement::Sort;
 
 view::Triple triple(const sim::Vector3& x) { return {x.x(), x.y(), x.z()}; }
 
@@ -63,16 +64,6 @@ std::vector<view::AnimationGroup> offsets_of(const view::AnimationShape& shape) 
   return offsets;
 }
 
-std::pair<Sort, Sort> sorts_of(Kind kind) {
-  switch (kind) {
-    case Kind::edge_edge: return {Sort::edge, Sort::edge};
-    case Kind::vertex_face: return {Sort::vertex, Sort::face};
-    case Kind::point_edge: return {Sort::vertex, Sort::edge};
-    case Kind::point_point: break;
-  }
-  return {Sort::vertex, Sort::vertex};
-}
-
 }  // namespace
 
 SimulationAnimation::SimulationAnimation(const sim::Simulation& simulation)
@@ -117,18 +108,18 @@ void SimulationAnimation::add_frame(const std::vector<sim::SubstepRecord>& recor
 }
 
 view::AnimationPair SimulationAnimation::elements(const sim::Pair& pair) const {
-  const auto [a, b] = sorts_of(pair.kind);
-  return {{a, pair.i}, {b, pair.j}};
+  return {{traits_of(pair.kind).first.sort, pair.i}, {traits_of(pair.kind).second.sort, pair.j}};
 }
 
 view::AnimationPair SimulationAnimation::elements(const sim::BodyPair& pair) const {
-  const auto element = [&](Sort sort, const sim::OfBody& of) {
+  const auto element = [&](MeshElement sort, const sim::OfBody& of) {
     const view::AnimationGroup& first = offsets_[of.body == sim::kParticles ? 0 : of.body + 1];
-    const std::uint32_t offset = sort == Sort::edge ? first.edges : sort == Sort::face ? first.faces : first.vertices;
+    const std::uint32_t offset = sort == MeshElement::edge   ? first.edges
+                                 : sort == MeshElement::face ? first.faces
+                                                             : first.vertices;
     return AnimationElement{sort, offset + of.number};
   };
-  const auto [a, b] = sorts_of(pair.kind);
-  return {element(a, pair.a), element(b, pair.b)};
+  return {element(traits_of(pair.kind).first.sort, pair.a), element(traits_of(pair.kind).second.sort, pair.b)};
 }
 
 void SimulationAnimation::add_contacts(const sim::SubstepRecord& record) {

@@ -1,5 +1,6 @@
 // The unit normal at the first contact, from polynomials in t that are parallel to it.
 // SPDX-License-Identifier: MIT
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -11,6 +12,7 @@
 #include "exact/exact.hpp"
 #include "exact/exact_times.hpp"
 #include "geometry/frame.hpp"
+#include "geometry/kind_traits.hpp"
 #include "numbers/integers/limb_scratch.hpp"
 
 namespace touchstone::exact {
@@ -37,31 +39,16 @@ struct FeatureCorners {
   std::size_t count;
 };
 
-FeatureCorners corners_of(Feature feature, bool first) {
-  switch (feature) {
-    case Feature::a0:
-    case Feature::v:
-    case Feature::p: return {{0}, 1};
-    case Feature::a1:
-    case Feature::f0:
-    case Feature::e0:
-    case Feature::q: return {{1}, 1};
-    case Feature::b0:
-    case Feature::f1:
-    case Feature::e1: return {{2}, 1};
-    case Feature::b1:
-    case Feature::f2: return {{3}, 1};
-    case Feature::a: return {{0, 1}, 2};
-    case Feature::b: return {{2, 3}, 2};
-    case Feature::f01:
-    case Feature::e: return {{1, 2}, 2};
-    case Feature::f12: return {{2, 3}, 2};
-    case Feature::f20: return {{3, 1}, 2};
-    case Feature::f: return {{1, 2, 3}, 3};
-    case Feature::overlap: return corners_of(first ? Feature::a : Feature::b, first);
-    case Feature::none: break;
+/// @param first  the number of the element's first corner
+FeatureCorners corners_of(Feature feature, const geometry::Element& element, std::size_t first) {
+  constexpr std::size_t kWholeEdge = 3;
+  const auto found = std::find(element.features.begin(), element.features.end(), feature) - element.features.begin();
+  const std::size_t set = feature == Feature::overlap ? kWholeEdge : static_cast<std::size_t>(found);
+  FeatureCorners found_corners{};
+  for (std::size_t i = 0; i < element.corners(); ++i) {
+    if ((set >> i & 1) != 0) found_corners.corners[found_corners.count++] = first + i;
   }
-  return {{}, 0};
+  return found_corners;
 }
 
 /// The normal of two edges, or of a face, and its product with what leads from the first element to the second.
@@ -84,8 +71,9 @@ Direction across(const Direction& e, const Direction& r) { return geometry::dot(
 /// What leads from the closest point of the first element to that of the second, times a positive number or zero. `at`
 /// is the time of a contact with these features.
 Direction between_closest_points(const Corners& x, const Answer& answer, Kind kind, const Moment& at) {
-  const FeatureCorners a = corners_of(answer.feature_a, true);
-  const FeatureCorners b = corners_of(answer.feature_b, false);
+  const auto& [first, second] = geometry::traits_of(kind);
+  const FeatureCorners a = corners_of(answer.feature_a, first, 0);
+  const FeatureCorners b = corners_of(answer.feature_b, second, first.corners());
   const Direction r = x[b.corners[0]] - x[a.corners[0]];
   const bool parallel = answer.feature_a == Feature::overlap;
   if (a.count == 1 && b.count == 1) return r;

@@ -14,6 +14,7 @@
 #include "exact/common_scale.hpp"
 #include "exact/corners.hpp"
 #include "exact/off_the_stack.hpp"
+#include "geometry/kind_traits.hpp"
 
 namespace touchstone::exact {
 namespace {
@@ -158,7 +159,7 @@ Forms<AnyDegree>::Corners moving_corners<AnyDegree>(const CurvedQuery& query) {
   Forms<AnyDegree>::Corners result;
   result.factor = lengths(1);
   result.scale = others(none);
-  result.second = query.kind == Kind::edge_edge ? 2 : 1;
+  result.second = geometry::corners_of_first(query.kind);
   for (std::size_t i = 0; i < count; ++i) {
     const CurvedCorner& corner = query.corners[i];
     if (corner.motion == CurvedCorner::kOnCurve) {

@@ -13,6 +13,7 @@
 
 #include "exact/distance_level.hpp"
 #include "geometry/frame.hpp"
+#include "geometry/kind_traits.hpp"
 
 namespace touchstone::exact {
 namespace {
@@ -125,44 +126,36 @@ Patch interiors(bool edges, const AnyCorners& x) {
   return patch;
 }
 
+/// The corners and edges of an element, whose corners are those from x[from] on.
+struct Borders {
+  std::vector<Corner> corners;
+  std::vector<Edge> edges;
+
+  Borders(const geometry::Element& element, const AnyCorners& x, std::size_t from) {
+    for (std::size_t i = 0; i < element.corners(); ++i) {
+      corners.push_back({element.corner(i), static_cast<int>(i), x[from + i]});
+    }
+    for (std::size_t i = 0; i < element.edges(); ++i) {
+      const std::size_t end = element.end_of_edge(i);
+      edges.push_back({element.edge(i), static_cast<int>(i), static_cast<int>(end), x[from + i],
+                       difference(x, from + end, from + i)});
+    }
+  }
+};
+
 /// Lesser pairs before greater ones, in the order of their features.
 std::vector<Patch> patches_of(Kind kind, const AnyCorners& x) {
   std::vector<Patch> patches;
-  std::vector<Corner> a, b;
-  std::vector<Edge> a_edges, b_edges;
-  const auto edge = [&x](Feature feature, int first, int second, std::size_t start, std::size_t end) {
-    return Edge{feature, first, second, x[start], difference(x, end, start)};
-  };
-  switch (kind) {
-    case Kind::edge_edge:
-      a = {{Feature::a0, 0, x[0]}, {Feature::a1, 1, x[1]}};
-      b = {{Feature::b0, 0, x[2]}, {Feature::b1, 1, x[3]}};
-      a_edges = {edge(Feature::a, 0, 1, 0, 1)};
-      b_edges = {edge(Feature::b, 0, 1, 2, 3)};
-      break;
-    case Kind::vertex_face:
-      a = {{Feature::v, 0, x[0]}};
-      b = {{Feature::f0, 0, x[1]}, {Feature::f1, 1, x[2]}, {Feature::f2, 2, x[3]}};
-      b_edges = {edge(Feature::f01, 0, 1, 1, 2), edge(Feature::f12, 1, 2, 2, 3), edge(Feature::f20, 2, 0, 3, 1)};
-      break;
-    case Kind::point_edge:
-      a = {{Feature::p, 0, x[0]}};
-      b = {{Feature::e0, 0, x[1]}, {Feature::e1, 1, x[2]}};
-      b_edges = {edge(Feature::e, 0, 1, 1, 2)};
-      break;
-    case Kind::point_point:
-      a = {{Feature::p, 0, x[0]}};
-      b = {{Feature::q, 0, x[1]}};
-      break;
+  const auto& [first, second] = geometry::traits_of(kind);
+  const Borders a(first, x, 0), b(second, x, first.corners());
+  for (const Corner& corner : a.corners) {
+    for (const Corner& other : b.corners) patches.push_back(corner_and_corner(corner, other));
   }
-  for (const Corner& corner : a) {
-    for (const Corner& other : b) patches.push_back(corner_and_corner(corner, other));
+  for (const Corner& corner : a.corners) {
+    for (const Edge& other : b.edges) patches.push_back(corner_and_edge(corner, other, x.multipliers[1], true));
   }
-  for (const Corner& corner : a) {
-    for (const Edge& other : b_edges) patches.push_back(corner_and_edge(corner, other, x.multipliers[1], true));
-  }
-  for (const Corner& corner : b) {
-    for (const Edge& other : a_edges) patches.push_back(corner_and_edge(corner, other, x.multipliers[0], false));
+  for (const Corner& corner : b.corners) {
+    for (const Edge& other : a.edges) patches.push_back(corner_and_edge(corner, other, x.multipliers[0], false));
   }
   if (kind == Kind::edge_edge || kind == Kind::vertex_face) patches.push_back(interiors(kind == Kind::edge_edge, x));
   return patches;
@@ -216,7 +209,8 @@ class EuclideanLevel final : public DistanceLevel {
     }
     for (std::size_t i = 0; i < patch.free_count; ++i) {
       const auto [element, corner] = patch.free[i];
-      const std::size_t index = static_cast<std::size_t>(corner) + (element == 0 ? 0 : first_element_corners());
+      const std::size_t index =
+          static_cast<std::size_t>(corner) + (element == 0 ? 0 : geometry::corners_of_first(kind_));
       conditions.push_back({"weight of " + std::string(corner_name(kind_, index)), moment.sign(patch.weight(i))});
     }
     return conditions;
@@ -257,8 +251,6 @@ class EuclideanLevel final : public DistanceLevel {
   }
 
  private:
-  std::size_t first_element_corners() const { return kind_ == Kind::edge_edge ? 2 : 1; }
-
   static bool feet_inside(const Patch& patch, const Moment& moment) {
     if (moment.sign(patch.scale) <= 0) return false;
     for (std::size_t i = 0; i < patch.free_count; ++i) {

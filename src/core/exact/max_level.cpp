@@ -15,6 +15,7 @@
 #include "exact/lazy.hpp"
 #include "exact/off_the_stack.hpp"
 #include "geometry/frame.hpp"
+#include "geometry/kind_traits.hpp"
 
 namespace touchstone::exact {
 namespace {
@@ -342,12 +343,10 @@ class MaxLevel final : public DistanceLevel {
         return;
       case Kind::vertex_face: {
         answer.feature_a = Feature::v;
-        static constexpr Feature by_support[8] = {Feature::none, Feature::f0,  Feature::f1,  Feature::f01,
-                                                  Feature::f2,   Feature::f20, Feature::f12, Feature::f};
         unsigned support = 0;
         static constexpr std::size_t borders[3] = {kSum, kS, kT};
         for (unsigned i = 0; i < 3; ++i) support |= positive(borders[i]) ? 1U << i : 0U;
-        answer.feature_b = by_support[support];
+        answer.feature_b = geometry::kFace.features[support];
         for (unsigned i = 0; i < 3; ++i) {
           answer.weights_b[i] = (support & (1U << i)) == 0 ? 0 : support == 1U << i ? 1 : weight(borders[i]);
         }

@@ -16,6 +16,7 @@
 #include "exact/exact.hpp"
 #include "exact/exact_times.hpp"
 #include "exact/off_the_stack.hpp"
+#include "geometry/kind_traits.hpp"
 #include "numbers/integers/limb_scratch.hpp"
 
 namespace touchstone::exact {
@@ -31,7 +32,7 @@ template <class Q>
 AnyCorners any_corners(const Q& query) {
   const ScaledCorners scaled = scaled_corners(query);
   AnyCorners corners;
-  corners.second = query.kind == Kind::edge_edge ? 2 : 1;
+  corners.second = geometry::corners_of_first(query.kind);
   corners.factor = scaled.factor;
   for (std::size_t i = 0; i < corner_count(query.kind); ++i) {
     corners.corners[i] = corners.own[i] = form_of(scaled.corners[i]);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "exact/elements.hpp"
 #include "exact/vectors_at.hpp"
+#include "geometry/kind_traits.hpp"
 
 namespace touchstone::exact {
 
@@ -64,9 +65,7 @@ void VertexFaceElements<N>::locate(const Time<N>& root, const SideSigns& found, 
   for (unsigned i = 0; i < 3; ++i) {
     if (found.sign[i] != 0) support |= 1U << i;
   }
-  static constexpr Feature by_support[8] = {Feature::none, Feature::f0,  Feature::f1,  Feature::f01,
-                                            Feature::f2,   Feature::f20, Feature::f12, Feature::f};
-  answer.feature_b = by_support[support];
+  answer.feature_b = geometry::kFace.features[support];
   for (unsigned i = 0; i < 3; ++i) {
     if ((support & (1U << i)) != 0) {
       const auto along = [&](std::size_t k) {

@@ -1,13 +1,20 @@
-// The names of kinds and their corners, natures, trends, metrics, features, levels, and of what is wanted.
+// The names of kinds, their elements and corners, natures, trends, metrics, features, levels, and of what is wanted.
 // SPDX-License-Identifier: MIT
 #include <cstddef>
-#include <iterator>
 
 #include <touchstone/answer.hpp>
 #include <touchstone/query.hpp>
 #include <touchstone/separation.hpp>
 
+#include "geometry/kind_traits.hpp"
+
 namespace touchstone::inline TOUCHSTONE_ABI {
+
+template <>
+Names names_of<MeshElement>() noexcept {
+  static constexpr std::string_view kNames[] = {"vertex", "edge", "face"};
+  return kNames;
+}
 
 template <>
 Names names_of<Kind>() noexcept {
@@ -16,10 +23,9 @@ Names names_of<Kind>() noexcept {
 }
 
 std::string_view corner_name(Kind kind, std::size_t index) noexcept {
-  static constexpr std::string_view names[4][4] = {
-      {"a0", "a1", "b0", "b1"}, {"v", "f0", "f1", "f2"}, {"p", "e0", "e1", ""}, {"p", "q", "", ""}};
-  const auto row = static_cast<std::size_t>(kind);
-  return row < std::size(names) && index < corner_count(kind) ? names[row][index] : std::string_view{};
+  if (static_cast<std::size_t>(kind) >= kKinds.size() || index >= corner_count(kind)) return {};
+  const auto& [first, second] = geometry::traits_of(kind);
+  return name_of(index < first.corners() ? first.corner(index) : second.corner(index - first.corners()));
 }
 
 template <>

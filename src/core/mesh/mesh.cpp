@@ -11,6 +11,7 @@
 
 #include <touchstone/error.hpp>
 
+#include "geometry/kind_traits.hpp"
 #include "mesh/mesh_elements.hpp"
 #include "mesh/pair_distance.hpp"
 #include "numbers/doubles/float_environment.hpp"
@@ -204,17 +205,13 @@ void check_radii(const Mesh::Impl& mesh) {
 /// @throws InvalidMesh  for an element that does not exist
 void check_pair(const Mesh::Impl& mesh, const std::string& who, const MeshPair& pair) {
   solver::validate_kind(pair.kind);
-  const auto check_vertex = [&](Index v) { check_index(who, v, mesh.vertex_count, "vertex", "vertices"); };
-  const auto check_edge = [&](Index e) { check_index(who, e, mesh.edges.size(), "edge", "edges"); };
-  if (pair.kind == Kind::edge_edge) {
-    check_edge(pair.first);
-    check_edge(pair.second);
-    return;
-  }
-  check_vertex(pair.first);
-  if (pair.kind == Kind::vertex_face) check_index(who, pair.second, mesh.faces.size(), "face", "faces");
-  if (pair.kind == Kind::point_edge) check_edge(pair.second);
-  if (pair.kind == Kind::point_point) check_vertex(pair.second);
+  const auto check = [&](MeshElement sort, Index i) {
+    if (sort == MeshElement::vertex) check_index(who, i, mesh.vertex_count, "vertex", "vertices");
+    if (sort == MeshElement::edge) check_index(who, i, mesh.edges.size(), "edge", "edges");
+    if (sort == MeshElement::face) check_index(who, i, mesh.faces.size(), "face", "faces");
+  };
+  check(geometry::traits_of(pair.kind).first.sort, pair.first);
+  check(geometry::traits_of(pair.kind).second.sort, pair.second);
 }
 
 void take_pair_separations(Mesh::Impl& mesh, std::vector<PairSeparation> separations) {
@@ -356,19 +353,14 @@ std::array<MeshIndex, 4> Mesh::corners(const MeshPair& pair) const {
 
 std::string Mesh::describe(const MeshPair& pair) const {
   const auto c = corners(pair);
-  const auto joined = [&](std::size_t first, std::size_t count) {
-    std::string all = " (";
-    for (std::size_t i = first; i < first + count; ++i) all.append(i == first ? "" : "-").append(text(c[i]));
+  const auto named = [&](const geometry::Element& element, MeshIndex number, std::size_t first) {
+    std::string all = std::string(name_of(element.sort)) + " " + text(number);
+    if (element.sort == MeshElement::vertex) return all;
+    for (std::size_t i = 0; i < element.corners(); ++i) all.append(i == 0 ? " (" : "-").append(text(c[first + i]));
     return all.append(")");
   };
-  switch (pair.kind) {
-    case Kind::edge_edge:
-      return "edge " + text(pair.first) + joined(0, 2) + " and edge " + text(pair.second) + joined(2, 2);
-    case Kind::vertex_face: return "vertex " + text(pair.first) + " and face " + text(pair.second) + joined(1, 3);
-    case Kind::point_edge: return "vertex " + text(pair.first) + " and edge " + text(pair.second) + joined(1, 2);
-    case Kind::point_point: return "vertex " + text(pair.first) + " and vertex " + text(pair.second);
-  }
-  return {};
+  const auto& traits = geometry::traits_of(pair.kind);
+  return named(traits.first, pair.first, 0) + " and " + named(traits.second, pair.second, traits.first.corners());
 }
 
 template <>
@@ -389,12 +381,6 @@ template <>
 Names names_of<StepOutcome>() noexcept {
   static constexpr std::string_view kNames[] = {"whole", "shortened", "no-room", "contact-at-start",
                                                 "intersects-at-start"};
-  return kNames;
-}
-
-template <>
-Names names_of<MeshElement>() noexcept {
-  static constexpr std::string_view kNames[] = {"vertex", "edge", "face"};
   return kNames;
 }
 

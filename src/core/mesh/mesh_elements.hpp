@@ -6,9 +6,12 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include <touchstone/mesh.hpp>
+
+#include "geometry/kind_traits.hpp"
 
 namespace touchstone::inline TOUCHSTONE_ABI {
 
@@ -50,13 +53,13 @@ inline bool is_in(const std::vector<Index>& sorted, Index number) noexcept {
   return std::binary_search(sorted.begin(), sorted.end(), number);
 }
 
-template <std::size_t N>
-bool contains(const std::array<Index, N>& corners, Index vertex) noexcept {
+template <class Corners>
+bool contains(const Corners& corners, Index vertex) noexcept {
   return std::find(corners.begin(), corners.end(), vertex) != corners.end();
 }
 
-template <std::size_t N, std::size_t M>
-bool share_vertex(const std::array<Index, N>& a, const std::array<Index, M>& b) noexcept {
+template <class A, class B>
+bool share_vertex(const A& a, const B& b) noexcept {
   return std::any_of(a.begin(), a.end(), [&](Index vertex) { return contains(b, vertex); });
 }
 
@@ -71,9 +74,8 @@ inline bool vertices_may_collide(const Mesh::Impl& mesh, Index a, Index b) noexc
 }
 
 /// Whether the rules let two elements collide, but for the list of elements.
-template <std::size_t N, std::size_t M>
-bool corners_may_collide(const Mesh::Impl& mesh, const std::array<Index, N>& a,
-                         const std::array<Index, M>& b) noexcept {
+template <class A, class B>
+bool corners_may_collide(const Mesh::Impl& mesh, const A& a, const B& b) noexcept {
   for (const Index i : a) {
     for (const Index j : b) {
       if (vertices_may_collide(mesh, i, j)) return true;
@@ -93,8 +95,8 @@ inline bool is_beside(const Mesh::Impl& mesh, Index vertex, const std::array<Ind
 
 /// `pair` with its lesser number first where both elements are of one sort.
 inline MeshPair in_order(MeshPair pair) noexcept {
-  const bool one_sort = pair.kind == Kind::edge_edge || pair.kind == Kind::point_point;
-  if (one_sort && pair.second < pair.first) std::swap(pair.first, pair.second);
+  const auto& [first, second] = geometry::traits_of(pair.kind);
+  if (first.sort == second.sort && pair.second < pair.first) std::swap(pair.first, pair.second);
   return pair;
 }
 
@@ -103,42 +105,23 @@ inline bool is_excluded(const Mesh::Impl& mesh, const MeshPair& pair) noexcept {
 }
 
 /// Whether two elements of a pair, with these corners, share no vertex, and no rule excludes them.
-template <std::size_t N, std::size_t M>
-bool rules_allow(const Mesh::Impl& mesh, const MeshPair& pair, const std::array<Index, N>& a,
-                 const std::array<Index, M>& b) noexcept {
+template <class A, class B>
+bool rules_allow(const Mesh::Impl& mesh, const MeshPair& pair, const A& a, const B& b) noexcept {
   if (share_vertex(a, b)) return false;
   return !mesh.has_rules() || (corners_may_collide(mesh, a, b) && !is_excluded(mesh, pair));
 }
 
-/// The same for a pair whose elements exist.
-inline bool rules_allow(const Mesh::Impl& mesh, const MeshPair& pair) noexcept {
-  switch (pair.kind) {
-    case Kind::edge_edge: return rules_allow(mesh, pair, mesh.edges[pair.first], mesh.edges[pair.second]);
-    case Kind::vertex_face: return rules_allow(mesh, pair, std::array{pair.first}, mesh.faces[pair.second]);
-    case Kind::point_edge: return rules_allow(mesh, pair, std::array{pair.first}, mesh.edges[pair.second]);
-    case Kind::point_point: return rules_allow(mesh, pair, std::array{pair.first}, std::array{pair.second});
-  }
-  return false;
-}
-
 /// The vertices of a pair whose elements exist, in the order of a query's corners.
 inline std::array<Index, 4> corners_of(const Mesh::Impl& mesh, const MeshPair& pair) noexcept {
-  switch (pair.kind) {
-    case Kind::edge_edge: {
-      const auto &a = mesh.edges[pair.first], &b = mesh.edges[pair.second];
-      return {a[0], a[1], b[0], b[1]};
-    }
-    case Kind::vertex_face: {
-      const auto& f = mesh.faces[pair.second];
-      return {pair.first, f[0], f[1], f[2]};
-    }
-    case Kind::point_edge: return {pair.first, mesh.edges[pair.second][0], mesh.edges[pair.second][1], 0};
-    case Kind::point_point: return {pair.first, pair.second, 0, 0};
-  }
-  return {};
+  return geometry::pair_corners(pair.kind, pair.first, pair.second, mesh.edges, mesh.faces);
 }
 
-/// How many of a query's corners belong to the first element.
-constexpr std::size_t first_corners(Kind kind) noexcept { return kind == Kind::edge_edge ? 2 : 1; }
+/// Whether they share no vertex, and no rule excludes them, for a pair whose elements exist.
+inline bool rules_allow(const Mesh::Impl& mesh, const MeshPair& pair) noexcept {
+  const auto corners = corners_of(mesh, pair);
+  const std::span all(corners.data(), corner_count(pair.kind));
+  const std::size_t of_first = geometry::corners_of_first(pair.kind);
+  return rules_allow(mesh, pair, all.first(of_first), all.subspan(of_first));
+}
 
 }  // namespace touchstone::mesh

@@ -10,6 +10,7 @@
 #include <touchstone/solve.hpp>
 
 #include "filters/separation/distance_bound.hpp"
+#include "geometry/kind_traits.hpp"
 #include "mesh/pair_distance.hpp"
 
 namespace touchstone::mesh {
@@ -69,8 +70,8 @@ KeptDistances::Kept KeptDistances::quick(const MeshPair& pair, const std::array<
   }
   // The distance of the elements is at most that of their nearest corners.
   double nearest = kInfinity;
-  for (std::size_t i = 0; i < first_corners(pair.kind); ++i) {
-    for (std::size_t j = first_corners(pair.kind); j < corner_count(pair.kind); ++j) {
+  for (std::size_t i = 0; i < geometry::corners_of_first(pair.kind); ++i) {
+    for (std::size_t j = geometry::corners_of_first(pair.kind); j < corner_count(pair.kind); ++j) {
       const Vec3 &a = motion_[corners[i]].start, &b = motion_[corners[j]].start;
       nearest = std::min(nearest, std::hypot(a.x - b.x, a.y - b.y, a.z - b.z));
     }

@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <limits>
 
+#include "geometry/kind_traits.hpp"
 #include "mesh/mesh_elements.hpp"
 #include "numbers/doubles/rounded_sum.hpp"
 
@@ -32,7 +33,7 @@ inline double separation_of(const Mesh::Impl& mesh, const MeshPair& pair,
   if (mesh.radii.empty()) return mesh.separation.distance;
   double first = 0, second = 0;
   for (std::size_t c = 0; c < corner_count(pair.kind); ++c) {
-    double& radius = c < first_corners(pair.kind) ? first : second;
+    double& radius = c < geometry::corners_of_first(pair.kind) ? first : second;
     radius = std::max(radius, mesh.radii[corners[c]]);
   }
   return numbers::sum_rounded_up(first, second);

@@ -20,6 +20,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/kind_traits.hpp"
+
 namespace touchstone::solver {
 namespace {
 
@@ -154,7 +156,7 @@ double ScrewArcs::corner_deviation(std::size_t c) const noexcept {
 }
 
 double ScrewArcs::deviation(std::size_t element) const noexcept {
-  const std::size_t second = query_.kind == Kind::edge_edge ? 2 : 1;
+  const std::size_t second = geometry::corners_of_first(query_.kind);
   double most = 0;
   for (std::size_t c = element == 0 ? 0 : second; c < (element == 0 ? second : corner_count(query_.kind)); ++c) {
     most = std::max(most, corner_deviation(c));

@@ -93,9 +93,9 @@ void validate_fraction(const Fraction& time) {
 }
 
 void validate_kind(Kind kind) {
-  if (kind <= Kind::point_point) return;
+  if (kind <= kKinds.back()) return;
   throw InvalidQuery("the kind is " + std::to_string(static_cast<int>(kind)) + "; it must be one of 0 to " +
-                     std::to_string(static_cast<int>(Kind::point_point)) +
+                     std::to_string(static_cast<int>(kKinds.back())) +
                      ": edge-edge, vertex-face, point-edge or point-point");
 }
 

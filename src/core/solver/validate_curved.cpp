@@ -72,7 +72,7 @@ void validate(const CurvedCorner& corner, const std::string& name) {
 /// Whether a query is certainly valid, without the names that errors need. A number times 0 is 0 or -0 exactly if it is
 /// finite.
 bool certainly_valid(const CurvedQuery& query, double t_max) noexcept {
-  if (!(query.kind <= Kind::point_point) || !(t_max >= 0 && t_max <= 1)) return false;
+  if (!(query.kind <= kKinds.back()) || !(t_max >= 0 && t_max <= 1)) return false;
   double zero = 0;
   const auto see = [&zero](const Vec3& x) { zero += 0 * x.x + 0 * x.y + 0 * x.z; };
   std::array<bool, 4> used{};

@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "geometry/kind_traits.hpp"
 #include "geometry/union_find.hpp"
 #include "io/fail.hpp"
 #include "io/sha256.hpp"
@@ -101,17 +102,11 @@ NamedElement ElementNames::element(MeshElement sort, MeshIndex number) {
 }
 
 NamedElement ElementNames::first_of(const MeshPair& pair) {
-  return pair.kind == Kind::edge_edge ? edge(pair.first) : vertex(pair.first);
+  return element(geometry::traits_of(pair.kind).first.sort, pair.first);
 }
 
 NamedElement ElementNames::second_of(const MeshPair& pair) {
-  switch (pair.kind) {
-    case Kind::edge_edge:
-    case Kind::point_edge: return edge(pair.second);
-    case Kind::vertex_face: return face(pair.second);
-    case Kind::point_point: return vertex(pair.second);
-  }
-  return {};
+  return element(geometry::traits_of(pair.kind).second.sort, pair.second);
 }
 
 std::string ElementNames::part_of_face(MeshIndex f) const {

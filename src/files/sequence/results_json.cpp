@@ -3,11 +3,11 @@
 
 #include <fmt/format.h>
 
-#include <array>
 #include <cmath>
 #include <limits>
 #include <nlohmann/json.hpp>
 
+#include "geometry/kind_traits.hpp"
 #include "io/fail.hpp"
 #include "io/times.hpp"
 
@@ -78,14 +78,8 @@ NamedElement element_from(const JsonNode& node) {
 }
 
 bool fits(Kind kind, const NamedElement& first, const NamedElement& second) {
-  const auto sorts = std::array{first.element, second.element};
-  switch (kind) {
-    case Kind::edge_edge: return sorts == std::array{MeshElement::edge, MeshElement::edge};
-    case Kind::vertex_face: return sorts == std::array{MeshElement::vertex, MeshElement::face};
-    case Kind::point_edge: return sorts == std::array{MeshElement::vertex, MeshElement::edge};
-    case Kind::point_point: return sorts == std::array{MeshElement::vertex, MeshElement::vertex};
-  }
-  return false;
+  const auto& traits = geometry::traits_of(kind);
+  return first.element == traits.first.sort && second.element == traits.second.sort;
 }
 
 PairContact pair_from(const JsonNode& node) {

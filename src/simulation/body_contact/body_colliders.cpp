@@ -11,6 +11,7 @@
 
 #include "broad_phase/box_tree.hpp"
 #include "geometry/arc_bulge.hpp"
+#include "geometry/kind_traits.hpp"
 #include "numbers/doubles/rounded_sum.hpp"
 
 namespace touchstone::sim {
@@ -183,37 +184,24 @@ bool BodyColliders::can_move(Index body) const noexcept { return bodies_->bodies
 
 double BodyColliders::separation_of(const BodyPair& pair) const noexcept {
   if (is_of_particles(pair)) return of_particles_->separation(particle_pair(pair));
-  const auto radius_of = [&](const OfBody& element, Kind kind) {
-    if (element.body != kParticles) return radii_[element.body];
-    if (kind == Kind::edge_edge) return of_particles_->radius_of_edge(element.number);
-    return kind == Kind::vertex_face ? of_particles_->radius_of_face(element.number)
-                                     : of_particles_->radius_of_particle(element.number);
+  const auto radius_of = [&](MeshElement sort, const OfBody& element) {
+    return element.body == kParticles ? of_particles_->radius_of(sort, element.number) : radii_[element.body];
   };
-  const bool edges = pair.kind == Kind::edge_edge;
-  const Kind second = pair.kind == Kind::vertex_face ? Kind::vertex_face : Kind::edge_edge;
-  return numbers::sum_rounded_up(radius_of(pair.a, edges ? Kind::edge_edge : Kind::point_point),
-                                 radius_of(pair.b, second));
+  const auto& [first, second] = geometry::traits_of(pair.kind);
+  return numbers::sum_rounded_up(radius_of(first.sort, pair.a), radius_of(second.sort, pair.b));
 }
 
 std::array<OfBody, 4> BodyColliders::corners(const BodyPair& pair) const noexcept {
-  const auto of = [](const OfBody& element, Index vertex) { return OfBody{element.body, vertex}; };
-  const ElementSet& second = surface(pair.b.body);
-  switch (pair.kind) {
-    case Kind::edge_edge: {
-      const Edge &a = surface(pair.a.body).edges[pair.a.number], &b = second.edges[pair.b.number];
-      return {of(pair.a, a[0]), of(pair.a, a[1]), of(pair.b, b[0]), of(pair.b, b[1])};
-    }
-    case Kind::vertex_face: {
-      const Face& b = second.faces[pair.b.number];
-      return {pair.a, of(pair.b, b[0]), of(pair.b, b[1]), of(pair.b, b[2])};
-    }
-    case Kind::point_edge: {
-      const Edge& b = second.edges[pair.b.number];
-      return {pair.a, of(pair.b, b[0]), of(pair.b, b[1]), {}};
-    }
-    case Kind::point_point: break;
-  }
-  return {pair.a, pair.b, {}, {}};
+  std::array<OfBody, 4> all{};
+  const auto put = [&](const geometry::Element& element, const OfBody& of, std::size_t at) {
+    const ElementSet& set = surface(of.body);
+    const Index* const vertices = geometry::corners_of(element.sort, of.number, set.edges, set.faces);
+    for (std::size_t i = 0; i < element.corners(); ++i) all[at + i] = {of.body, vertices[i]};
+  };
+  const auto& [first, second] = geometry::traits_of(pair.kind);
+  put(first, pair.a, 0);
+  put(second, pair.b, first.corners());
+  return all;
 }
 
 CurvedQuery BodyColliders::query(const BodyPair& pair, const BodyMotions& motions) const noexcept {
@@ -228,7 +216,7 @@ CurvedQuery BodyColliders::query(const BodyPair& pair, const BodyMotions& motion
   if (pair.a.body != kParticles) query.motions[0] = motion_of(pair.a.body);
   if (pair.b.body != kParticles) query.motions[1] = motion_of(pair.b.body);
   const auto all = corners(pair);
-  const std::size_t of_first = pair.kind == Kind::edge_edge ? 2 : 1;
+  const std::size_t of_first = geometry::corners_of_first(pair.kind);
   for (std::size_t c = 0; c < corner_count(pair.kind); ++c) {
     CurvedCorner& corner = query.corners[c];
     if (all[c].body == kParticles) {
@@ -274,29 +262,26 @@ std::vector<BodyPair> BodyColliders::candidates(const BodyMotions& motions, doub
     const ElementSet &first = surface(a), &second = surface(b);
     const Clusters &of_a = a == kParticles ? no_clusters_ : clusters_[a], &of_b = clusters_[b];
     // The radius of a body is in its sweep's margin.
-    const auto edge_radius = [&](Index of) {
-      return [this, of](Index e) { return of == kParticles ? of_particles_->radius_of_edge(e) : 0.0; };
-    };
-    const auto face_radius = [&](Index of) {
-      return [this, of](Index f) { return of == kParticles ? of_particles_->radius_of_face(f) : 0.0; };
+    const auto radius = [&](MeshElement sort, Index of) {
+      return [this, sort, of](Index i) { return of == kParticles ? of_particles_->radius_of(sort, i) : 0.0; };
     };
     const auto vertex_radius = [&](Index of, const std::vector<Index>& vertices) {
       return [this, of, &vertices](Index i) {
-        return of == kParticles ? of_particles_->radius_of_particle(vertices[i]) : 0.0;
+        return of == kParticles ? of_particles_->radius_of(MeshElement::vertex, vertices[i]) : 0.0;
       };
     };
-    const auto edges_a = boxes_near(sweep_a, first.edges, of_a.edges, box_b, kAll, edge_radius(a));
-    meet_all(edges_a, boxes_near(sweep_b, second.edges, of_b.edges, box_a, kAll, edge_radius(b)), Kind::edge_edge, a, b,
-             nullptr);
+    const auto edges_a = boxes_near(sweep_a, first.edges, of_a.edges, box_b, kAll, radius(MeshElement::edge, a));
+    meet_all(edges_a, boxes_near(sweep_b, second.edges, of_b.edges, box_a, kAll, radius(MeshElement::edge, b)),
+             Kind::edge_edge, a, b, nullptr);
     if (!second.faces.empty()) {
       meet_all(boxes_near(sweep_a, of_a.singles, of_a.vertices, box_b, kAll, vertex_radius(a, first.vertices)),
-               boxes_near(sweep_b, second.faces, of_b.faces, box_a, kAll, face_radius(b)), Kind::vertex_face, a, b,
-               &first.vertices);
+               boxes_near(sweep_b, second.faces, of_b.faces, box_a, kAll, radius(MeshElement::face, b)),
+               Kind::vertex_face, a, b, &first.vertices);
     }
     if (!first.faces.empty()) {
       meet_all(boxes_near(sweep_b, of_b.singles, of_b.vertices, box_a, kAll, vertex_radius(b, second.vertices)),
-               boxes_near(sweep_a, first.faces, of_a.faces, box_b, kAll, face_radius(a)), Kind::vertex_face, b, a,
-               &second.vertices);
+               boxes_near(sweep_a, first.faces, of_a.faces, box_b, kAll, radius(MeshElement::face, a)),
+               Kind::vertex_face, b, a, &second.vertices);
     }
     // A particle in no edge meets the edges of wire frames. Those of faces are parts of the faces.
     if (a == kParticles && !first.points.empty()) {
@@ -350,19 +335,14 @@ std::vector<BodyPair> BodyColliders::particle_candidates(const BodyMotions& moti
 std::string BodyColliders::describe(const BodyPair& pair) const {
   if (is_of_particles(pair)) return of_particles_->describe(particle_pair(pair));
   const auto c = corners(pair);
-  const auto of = [](Index body) { return body == kParticles ? std::string() : fmt::format(" of body {}", body); };
-  const auto first = [&] {
-    if (pair.kind == Kind::edge_edge) return fmt::format("edge {}-{}{}", c[0].number, c[1].number, of(c[0].body));
-    return fmt::format("{} {}{}", c[0].body == kParticles ? "particle" : "vertex", c[0].number, of(c[0].body));
+  const auto named = [](const geometry::Element& element, const OfBody* of) {
+    const bool particle = of->body == kParticles && element.sort == MeshElement::vertex;
+    std::string text(particle ? "particle" : name_of(element.sort));
+    for (std::size_t i = 0; i < element.corners(); ++i) text += fmt::format("{}{}", i == 0 ? ' ' : '-', of[i].number);
+    return of->body == kParticles ? text : text + fmt::format(" of body {}", of->body);
   };
-  switch (pair.kind) {
-    case Kind::edge_edge: return fmt::format("{} and edge {}-{}{}", first(), c[2].number, c[3].number, of(c[2].body));
-    case Kind::vertex_face:
-      return fmt::format("{} and face {}-{}-{}{}", first(), c[1].number, c[2].number, c[3].number, of(c[1].body));
-    case Kind::point_edge: return fmt::format("{} and edge {}-{}{}", first(), c[1].number, c[2].number, of(c[1].body));
-    case Kind::point_point: break;
-  }
-  return first();
+  const auto& [first, second] = geometry::traits_of(pair.kind);
+  return named(first, c.data()) + " and " + named(second, c.data() + first.corners());
 }
 
 Vector3 BodyColliders::at(const OfBody& corner, const BodyStates& states, const VectorX& x) const noexcept {

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "contact/closest_points.hpp"
+#include "geometry/kind_traits.hpp"
 
 namespace touchstone::sim {
 namespace {
@@ -135,7 +136,7 @@ BodyContact contact_at(const BodyPair& pair, const std::array<OfBody, 4>& corner
                        const Weights& weights, const BodyStates& states) {
   BodyContact contact;
   contact.pair = pair;
-  const std::size_t count = corner_count(pair.kind), of_first = pair.kind == Kind::edge_edge ? 2 : 1;
+  const std::size_t count = corner_count(pair.kind), of_first = geometry::corners_of_first(pair.kind);
   Vector3 a = Vector3::Zero(), b = Vector3::Zero();
   for (std::size_t c = 0; c < count; ++c)
     (c < of_first ? a : b) += (c < of_first ? weights.a[c] : weights.b[c - of_first]) * x[c];

@@ -12,6 +12,7 @@
 #include <touchstone/distance.hpp>
 
 #include "broad_phase/box_tree.hpp"
+#include "geometry/kind_traits.hpp"
 #include "numbers/doubles/rounded_sum.hpp"
 #include "scene/features.hpp"
 
@@ -164,30 +165,12 @@ double Colliders::largest_radius() const noexcept {
 }
 
 double Colliders::separation_of(const Pair& pair) const noexcept {
-  double first = 0, second = 0;
-  switch (pair.kind) {
-    case Kind::edge_edge:
-      first = radii_.edge[pair.i];
-      second = radii_.edge[pair.j];
-      break;
-    case Kind::vertex_face:
-      first = radii_.particle[pair.i];
-      second = radii_.face[pair.j];
-      break;
-    case Kind::point_edge:
-      if (in_edge_[pair.i]) return 0;  // a fold
-      first = radii_.particle[pair.i];
-      second = radii_.edge[pair.j];
-      break;
-    case Kind::point_point:
-      first = radii_.particle[pair.i];
-      second = radii_.particle[pair.j];
-      break;
-  }
-  const double d = numbers::sum_rounded_up(first, second);
+  if (pair.kind == Kind::point_edge && in_edge_[pair.i]) return 0;  // a fold
+  const auto& [first, second] = geometry::traits_of(pair.kind);
+  const double d = numbers::sum_rounded_up(radius_of(first.sort, pair.i), radius_of(second.sort, pair.j));
   if (d == 0 || neighbours_.count() == 0) return d;
   const auto particles = corners(pair);
-  const std::size_t of_first = pair.kind == Kind::edge_edge ? 2 : 1;
+  const std::size_t of_first = geometry::corners_of_first(pair.kind);
   for (std::size_t a = 0; a < of_first; ++a) {
     for (std::size_t b = of_first; b < corner_count(pair.kind); ++b) {
       if (neighbours_.near(particles[a], particles[b], d)) return 0;
@@ -197,13 +180,7 @@ double Colliders::separation_of(const Pair& pair) const noexcept {
 }
 
 std::array<Index, 4> Colliders::corners(const Pair& pair) const noexcept {
-  switch (pair.kind) {
-    case Kind::edge_edge: return {edges_[pair.i][0], edges_[pair.i][1], edges_[pair.j][0], edges_[pair.j][1]};
-    case Kind::vertex_face: return {pair.i, faces_[pair.j][0], faces_[pair.j][1], faces_[pair.j][2]};
-    case Kind::point_edge: return {pair.i, edges_[pair.j][0], edges_[pair.j][1], 0};
-    case Kind::point_point: return {pair.i, pair.j, 0, 0};
-  }
-  return {};
+  return geometry::pair_corners(pair.kind, pair.i, pair.j, edges_, faces_);
 }
 
 Query Colliders::query(const Pair& pair, const VectorX& x0, const VectorX& x1) const noexcept {
@@ -286,13 +263,12 @@ double Colliders::distance(const Pair& pair, const VectorX& x) const {
 
 std::string Colliders::describe(const Pair& pair) const {
   const auto c = corners(pair);
-  switch (pair.kind) {
-    case Kind::edge_edge: return fmt::format("edge {}-{} and edge {}-{}", c[0], c[1], c[2], c[3]);
-    case Kind::vertex_face: return fmt::format("particle {} and face {}-{}-{}", c[0], c[1], c[2], c[3]);
-    case Kind::point_edge: return fmt::format("particle {} and edge {}-{}", c[0], c[1], c[2]);
-    case Kind::point_point: return fmt::format("particle {} and particle {}", c[0], c[1]);
-  }
-  return "";
+  const auto named = [](const geometry::Element& element, const Index* particles) {
+    return fmt::format("{} {}", element.sort == MeshElement::vertex ? "particle" : name_of(element.sort),
+                       fmt::join(particles, particles + element.corners(), "-"));
+  };
+  const auto& [first, second] = geometry::traits_of(pair.kind);
+  return named(first, c.data()) + " and " + named(second, c.data() + first.corners());
 }
 
 }  // namespace touchstone::sim

@@ -64,10 +64,14 @@ class Colliders {
   /// The distance of the pair's elements at these positions, correctly rounded, m.
   double distance(const Pair& pair, const VectorX& x) const;
 
-  /// Of a particle in contacts, m: the largest one of its elements, or its own; of an edge; of a face.
-  double radius_of_particle(Index particle) const noexcept { return has_separations() ? radii_.particle[particle] : 0; }
-  double radius_of_edge(Index edge) const noexcept { return has_separations() ? radii_.edge[edge] : 0; }
-  double radius_of_face(Index face) const noexcept { return has_separations() ? radii_.face[face] : 0; }
+  /// Of an element in contacts, m; of a particle the largest one of its elements, or its own.
+  double radius_of(MeshElement sort, Index number) const noexcept {
+    if (!has_separations()) return 0;
+    const auto& radii = sort == MeshElement::edge   ? radii_.edge
+                        : sort == MeshElement::face ? radii_.face
+                                                    : radii_.particle;
+    return radii[number];
+  }
 
   /// How many elements have a radius: edges, faces, and particles that are in no edge.
   std::size_t with_radius() const noexcept;

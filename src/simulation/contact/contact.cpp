@@ -8,6 +8,7 @@
 
 #include "contact/closest_points.hpp"
 #include "geometry/frame.hpp"
+#include "geometry/kind_traits.hpp"
 #include "scene/features.hpp"
 
 namespace touchstone::sim {
@@ -129,7 +130,7 @@ bool proximity(const Colliders& colliders, const Pair& pair, const VectorX& x0, 
   for (std::size_t c = 0; c < contact.corners; ++c) at[c] = position(x0, contact.particles[c]);
   const double separation = colliders.separation(pair), reach = separation + thickness;
   // Most candidate pairs of a substep are far apart along an axis.
-  const std::size_t first = pair.kind == Kind::edge_edge ? 2 : 1;
+  const std::size_t first = geometry::corners_of_first(pair.kind);
   for (Eigen::Index k = 0; k < 3; ++k) {
     double low_a = at[0][k], high_a = low_a, low_b = at[first][k], high_b = low_b;
     for (std::size_t c = 1; c < contact.corners; ++c) {

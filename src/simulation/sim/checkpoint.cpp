@@ -89,7 +89,7 @@ BodiesState bodies_from(const JsonNode& root) {
     const auto numbers_of_pair = pairs[i].items();
     if (numbers_of_pair.size() != 5) pairs[i].fail("must be five numbers: kind, body, element, body, element");
     ContactForce& force = state.forces.emplace_back();
-    force.pair.kind = static_cast<Kind>(numbers_of_pair[0].whole_number(0, 3));
+    force.pair.kind = static_cast<Kind>(numbers_of_pair[0].whole_number(0, kKinds.size() - 1));
     force.pair.a = {numbers_of_pair[1].index(), numbers_of_pair[2].index()};
     force.pair.b = {numbers_of_pair[3].index(), numbers_of_pair[4].index()};
     force.force = forces.segment<3>(3 * static_cast<Eigen::Index>(i));

@@ -8,6 +8,8 @@
 #include <cmath>
 #include <utility>
 
+#include "geometry/kind_traits.hpp"
+
 namespace touchstone::sim {
 namespace {
 
@@ -90,7 +92,7 @@ std::string refused_for_person(const RefusedCounts& counts, const RefusedCounts&
 
 Vector3 contact_point(const Contact& contact, const VectorX& q) {
   // The weights of the first element have one sign, and their magnitudes sum to 1.
-  const std::size_t of_first = contact.pair.kind == Kind::edge_edge ? 2 : 1;
+  const std::size_t of_first = geometry::corners_of_first(contact.pair.kind);
   Vector3 point = Vector3::Zero();
   for (std::size_t c = 0; c < of_first; ++c) point += std::abs(contact.omega[c]) * position(q, contact.particles[c]);
   return point;

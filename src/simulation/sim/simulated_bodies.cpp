@@ -10,6 +10,7 @@
 #include <touchstone/error.hpp>
 
 #include "dynamics/energy_budget.hpp"
+#include "geometry/kind_traits.hpp"
 
 namespace touchstone::sim {
 namespace {
@@ -122,17 +123,18 @@ void SimulatedBodies::check_state(const BodiesState& state, double time) const {
     if (dot(must.q, body.pose.q) < 0) must.q = negated(must.q);
     if (time > 0 && must != body.pose) fail(i, "position", "the body is not free: it must be where its motion leads");
   }
-  const auto exists = [&](const OfBody& element, bool is_edge, bool is_face) {
+  const auto exists = [&](MeshElement sort, const OfBody& element) {
     if (element.body != kParticles && element.body >= state.bodies.size()) return false;
     const ElementSet& surface = colliders_.surface(element.body);
-    return element.number < (is_edge ? surface.edges.size() : is_face ? surface.faces.size() : surface.around.size());
+    return element.number < (sort == MeshElement::edge   ? surface.edges.size()
+                             : sort == MeshElement::face ? surface.faces.size()
+                                                         : surface.around.size());
   };
   for (std::size_t i = 0; i < state.forces.size(); ++i) {
     const ContactForce& force = state.forces[i];
-    const Kind kind = force.pair.kind;
-    const bool known = (kind == Kind::edge_edge || kind == Kind::vertex_face || kind == Kind::point_edge) &&
-                       exists(force.pair.a, kind == Kind::edge_edge, false) &&
-                       exists(force.pair.b, kind != Kind::vertex_face, kind == Kind::vertex_face);
+    const auto& [first, second] = geometry::traits_of(force.pair.kind);
+    const bool known =
+        force.pair.kind != Kind::point_point && exists(first.sort, force.pair.a) && exists(second.sort, force.pair.b);
     if (!known) throw Error(fmt::format("contact_forces[{}]: the scene has no such pair of elements", i));
     if (!sensible(force.force))
       throw Error(fmt::format("contact_forces[{}]: the force must be finite, at most 1e30", i));

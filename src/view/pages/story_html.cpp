@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "geometry/kind_traits.hpp"
 #include "io/times.hpp"
 #include "view/pages/html.hpp"
 
@@ -52,7 +53,7 @@ std::string answer_html(Kind kind, const Answer& answer, double t_max, const Sep
   if (!answer.contact) {
     return text + fmt::format("<p><strong>No contact</strong> for t in [0, {}].</p>\n</section>\n", number(t_max));
   }
-  const std::size_t first = kind == Kind::edge_edge ? 2 : 1;
+  const std::size_t first = geometry::corners_of_first(kind);
   text += fmt::format("<p><strong>Contact</strong>, {}, first at<br>{}.</p>\n<dl>\n", name_of(answer.nature),
                       times(answer.toi, answer.toi_upper));
   text += weights(kind, answer.feature_a, answer.weights_a, 0, first);

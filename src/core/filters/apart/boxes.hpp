@@ -10,9 +10,6 @@
 
 namespace touchstone::filters {
 
-/// How many corners the first element has; the others are the second one's.
-constexpr std::size_t corners_of_first(Kind kind) noexcept { return kind == Kind::edge_edge ? 2 : 1; }
-
 /// Whether the ranges of two elements' paths along an axis are farther apart than the distance. corner(side, i) is the
 /// coordinate of corner i at the step's start (side 0) or end (1); the elements have `count` corners, the first one
 /// `first_count` of them. The text is written once, for doubles and for packs of them.

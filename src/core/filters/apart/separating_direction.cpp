@@ -5,8 +5,8 @@
 #include <cmath>
 #include <limits>
 
-#include "filters/apart/boxes.hpp"
 #include "filters/step_frame.hpp"
+#include "geometry/kind_traits.hpp"
 
 namespace touchstone::filters {
 namespace {
@@ -38,7 +38,7 @@ Vector relative(const Vec3& x, const Vec3& origin) noexcept {
 RelativeCorners relative_corners(const Query& query) noexcept {
   RelativeCorners corners;
   corners.count = corner_count(query.kind);
-  corners.first_count = corners_of_first(query.kind);
+  corners.first_count = geometry::corners_of_first(query.kind);
   corners.largest = 0;
   const Vec3& origin = query.start[0];
   for (std::size_t i = 0; i < corners.count; ++i) {

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstddef>
 
+#include "geometry/kind_traits.hpp"
 #include "geometry/vector.hpp"
 
 namespace touchstone::filters {
@@ -39,51 +40,27 @@ constexpr std::array<double, 3> corner_weights(std::size_t i) noexcept {
   return {i == 0 ? 1.0 : 0.0, i == 1 ? 1.0 : 0.0, i == 2 ? 1.0 : 0.0};
 }
 
-/// The names of both elements' corners.
-struct CornerFeatures {
-  std::size_t first_count;  ///< corners of the first element
-  const Feature* first;
-  const Feature* second;
-};
-
-CornerFeatures corner_features(Kind kind) noexcept {
-  static constexpr Feature a[] = {Feature::a0, Feature::a1};
-  static constexpr Feature b[] = {Feature::b0, Feature::b1};
-  static constexpr Feature v[] = {Feature::v};
-  static constexpr Feature f[] = {Feature::f0, Feature::f1, Feature::f2};
-  static constexpr Feature p[] = {Feature::p};
-  static constexpr Feature e[] = {Feature::e0, Feature::e1};
-  static constexpr Feature q[] = {Feature::q};
-  switch (kind) {
-    case Kind::edge_edge: return {2, a, b};
-    case Kind::vertex_face: return {1, v, f};
-    case Kind::point_edge: return {1, p, e};
-    case Kind::point_point: break;
-  }
-  return {1, p, q};
-}
-
 }  // namespace
 
 bool touch_in_shared_corner(const Query& query, double t_max, Answer& answer) noexcept {
-  const CornerFeatures corners = corner_features(query.kind);
-  const std::size_t count = corner_count(query.kind);
+  const std::size_t first_count = geometry::corners_of_first(query.kind), count = corner_count(query.kind);
   const auto coincide_at_start = [&](std::size_t i, std::size_t j) { return equal(query.start[i], query.start[j]); };
-  for (std::size_t i = 0; i < corners.first_count; ++i) {
-    for (std::size_t j = corners.first_count; j < count; ++j) {
+  for (std::size_t i = 0; i < first_count; ++i) {
+    for (std::size_t j = first_count; j < count; ++j) {
       if (!coincide_at_start(i, j) || !equal(query.end[i], query.end[j])) continue;
       // A point touches nowhere else. Two edges touch nowhere else if they leave the corner in different directions.
       if (query.kind == Kind::edge_edge && !certainly_not_parallel(query)) return false;
       // Of corners that coincide, the first gives its name. (The corners of an edge differ, since it is not a point.)
-      std::size_t named = corners.first_count;
+      std::size_t named = first_count;
       while (!coincide_at_start(i, named)) ++named;
       answer.contact = true;
       answer.nature = t_max > 0 ? Nature::sustained : Nature::isolated;
       answer.toi = answer.toi_upper = 0;
-      answer.feature_a = corners.first[i];
-      answer.feature_b = corners.second[named - corners.first_count];
+      const auto& [first, second] = geometry::traits_of(query.kind);
+      answer.feature_a = first.corner(i);
+      answer.feature_b = second.corner(named - first_count);
       answer.weights_a = corner_weights(i);
-      answer.weights_b = corner_weights(named - corners.first_count);
+      answer.weights_b = corner_weights(named - first_count);
       return true;
     }
   }

@@ -9,6 +9,7 @@
 #include "filters/apart/same_side.hpp"
 #include "filters/step_frame.hpp"
 #include "geometry/arc_bulge.hpp"
+#include "geometry/kind_traits.hpp"
 #include "geometry/vector.hpp"
 #include "numbers/doubles/pack.hpp"
 
@@ -129,7 +130,7 @@ EndsVector position_of(const CurvedCorner& corner, const EndsVector& origin, Sid
 
 Chords chords_of(const CurvedQuery& query) noexcept {
   Chords chords;
-  const Index second = query.kind == Kind::edge_edge ? 2 : 1;
+  const Index second = geometry::corners_of_first(query.kind);
   const int leader =
       query.corners[0].motion != CurvedCorner::kOnCurve ? query.corners[0].motion : query.corners[second].motion;
   if (leader == CurvedCorner::kOnCurve) return chords;

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "filters/curved/curved_scale.hpp"
+#include "geometry/kind_traits.hpp"
 
 namespace touchstone::filters {
 namespace {
@@ -122,7 +123,7 @@ VectorForm within(const CurvedQuery& query, const Body& body, Index i, Index j, 
 
 /// Whether all corners of each element are on curves or on one body.
 bool moves_alike(const CurvedQuery& query) noexcept {
-  const Index second = first_of_second(query.kind);
+  const Index second = geometry::corners_of_first(query.kind);
   for (Index i = 1; i < corner_count(query.kind); ++i) {
     if (i != second && query.corners[i].motion != query.corners[i - 1].motion) return false;
   }
@@ -134,7 +135,7 @@ bool moves_alike(const CurvedQuery& query) noexcept {
 CurvedFrame curved_frame(const CurvedQuery& query) noexcept {
   CurvedFrame frame;
   if (!moves_alike(query)) return frame;
-  const Index second = first_of_second(query.kind);
+  const Index second = geometry::corners_of_first(query.kind);
   bool exact = true;
   const auto body = [&](Index corner) {
     const int motion = query.corners[corner].motion;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "filters/curved/curved_frame.hpp"
 #include "filters/curved/curved_scale.hpp"
+#include "geometry/kind_traits.hpp"
 
 namespace touchstone::filters {
 namespace {
@@ -77,7 +78,7 @@ PairVector exact_difference(const std::array<double, 3>& x, const std::array<dou
 
 FrameAt frame_at(const CurvedQuery& query, const BoundedPair& t) noexcept {
   const Moment moment = {t, numbers::exact_pair(1) - t};
-  const Index second = first_of_second(query.kind);
+  const Index second = geometry::corners_of_first(query.kind);
   Scale lengths(longest(query));
   const Pair one = numbers::exact_pair(1);
   std::array<PoseAt, 2> poses;

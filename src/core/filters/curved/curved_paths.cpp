@@ -11,6 +11,7 @@
 
 #include "filters/step_frame.hpp"
 #include "geometry/frame.hpp"
+#include "geometry/kind_traits.hpp"
 
 namespace touchstone::filters {
 namespace {
@@ -246,7 +247,7 @@ bool certainly_farther(const CurvedQuery& query, const Separation& separation) n
   const CurvedPaths paths = curved_paths(query);
   if (!paths.known) return false;
   Hulls hulls;
-  const std::size_t first = query.kind == Kind::edge_edge ? 2 : 1;
+  const std::size_t first = geometry::corners_of_first(query.kind);
   Point middle[2] = {};
   for (std::size_t i = 0; i < corner_count(query.kind); ++i) {
     const CurvedPaths::Path& path = paths.corners[i];

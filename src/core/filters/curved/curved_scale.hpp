@@ -46,7 +46,4 @@ double longest(const CurvedQuery& query) noexcept;
 /// The greatest absolute component of the orientations of a motion.
 double largest_component(const RigidMotion& motion) noexcept;
 
-/// The number of the second element's first corner.
-inline std::size_t first_of_second(Kind kind) noexcept { return kind == Kind::edge_edge ? 2 : 1; }
-
 }  // namespace touchstone::filters
