@@ -59,7 +59,7 @@ double side_margin(const Query& query, const filters::StepFrame<double>& f, doub
   std::size_t k = std::fabs(n[0]) > std::fabs(n[1]) ? 0 : 1;
   if (std::fabs(n[2]) > std::fabs(n[k])) k = 2;
   const double first = geometry::first_numerator(at, k) / n[k];
-  const double second = geometry::second_numerator(query.kind == Kind::edge_edge, at, k) / n[k];
+  const double second = geometry::second_numerator(query.kind, at, k) / n[k];
   const double third = query.kind == Kind::edge_edge ? 1 - first : 1 - first - second;
   const double margin = least({quotient(first, kRounding), quotient(second, kRounding), quotient(third, kRounding)});
   return query.kind == Kind::edge_edge ? least({margin, quotient(1 - second, kRounding)}) : margin;

@@ -30,7 +30,7 @@ Construction along_axis(const Elements& elements, const geometry::Frame<DenseVec
   c.events = {{geometry::coplanarity(frame)}};
   c.weights =
       weights_of_lines(elements, geometry::cross_component(frame.u, frame.w, k), geometry::first_numerator(frame, k),
-                       geometry::second_numerator(elements.is_edge_edge(), frame, k));
+                       geometry::second_numerator(elements.kind, frame, k));
   return c;
 }
 

@@ -46,7 +46,7 @@ struct Elements {
   Dense bound(std::size_t i, std::size_t j) const { return separation * scale(i, j); }
 
   geometry::Frame<DenseVector> frame() const {
-    return geometry::frame_of(is_edge_edge(), [this](std::size_t i, std::size_t j) { return difference(i, j); });
+    return geometry::frame_of(kind, [this](std::size_t i, std::size_t j) { return difference(i, j); });
   }
 
   /// The elements as they are at one time, standing still.

@@ -93,7 +93,8 @@ enum class Weighed { positive, not_positive, uncertain };
 /// Sets the weights of geometry/frame.hpp, from the fractions' numerators and their denominator, times the sign that
 /// makes those of an element positive.
 template <class P>
-Weighed weigh(bool edges, const P& n, const P& first, const P& second, double t, Meeting& meeting) {
+Weighed weigh(Kind kind, const P& n, const P& first, const P& second, double t, Meeting& meeting) {
+  const bool edges = kind == Kind::edge_edge;
   const std::array<P, 4> weights = edges ? std::array<P, 4>{n - first, first, n - second, second}
                                          : std::array<P, 4>{n, n - first - second, first, second};
   int signs[4];
@@ -117,20 +118,18 @@ auto frame_in_integers(const Query& query, int low) {
     const Vec3& b = query.end[i];
     return typename Forms<N>::Point{{moving(a.x, b.x), moving(a.y, b.y), moving(a.z, b.z)}};
   };
-  return geometry::frame_of(query.kind == Kind::edge_edge,
-                            [&corner](std::size_t i, std::size_t j) { return corner(i) - corner(j); });
+  return geometry::frame_of(query.kind, [&corner](std::size_t i, std::size_t j) { return corner(i) - corner(j); });
 }
 
 /// V changes its sign, and the weights are those along the first axis for which all of them are certainly positive.
 template <class N>
 std::optional<Proof> crossing(const Query& query, const Answer& answer, int low) {
-  const bool edges = query.kind == Kind::edge_edge;
   const auto frame = frame_in_integers<N>(query, low);
   const auto n = geometry::normal(frame);
   auto proof = proof_until(geometry::dot(n, frame.r), answer);
   for (std::size_t k = 0; k < 3 && proof; ++k) {
-    const auto weighed = weigh(edges, n[k], geometry::first_numerator(frame, k),
-                               geometry::second_numerator(edges, frame, k), answer.toi, *proof->meeting);
+    const auto weighed = weigh(query.kind, n[k], geometry::first_numerator(frame, k),
+                               geometry::second_numerator(query.kind, frame, k), answer.toi, *proof->meeting);
     if (weighed == Weighed::positive) return proof;
     if (weighed == Weighed::uncertain) break;
   }
@@ -142,7 +141,6 @@ std::optional<Proof> crossing(const Query& query, const Answer& answer, int low)
 /// n . n and the weights have at most 4 B + 16 bits, and the event 6 B + 23, by the bounds of exact::kMostBits.
 template <class N>
 std::optional<Proof> approach(const Query& query, const Answer& answer, double distance, int low) {
-  const bool edges = query.kind == Kind::edge_edge;
   const auto frame = frame_in_integers<N>(query, low);
   const auto n = geometry::normal(frame);
   const auto v = geometry::dot(n, frame.r);
@@ -153,8 +151,9 @@ std::optional<Proof> approach(const Query& query, const Answer& answer, double d
   for (int i = 0; i <= 4; ++i) event[i] = event[i] - square[i] * (d * d);
   auto proof = proof_until(event, answer);
   if (!proof || event[0].sign() < 0) return std::nullopt;
+  const bool edges = query.kind == Kind::edge_edge;
   const auto second = edges ? geometry::cross(frame.r, frame.u) : geometry::cross(frame.u, frame.r);
-  const auto weighed = weigh(edges, square, geometry::dot(geometry::cross(frame.r, frame.w), n),
+  const auto weighed = weigh(query.kind, square, geometry::dot(geometry::cross(frame.r, frame.w), n),
                              geometry::dot(second, n), answer.toi, *proof->meeting);
   return weighed == Weighed::positive ? std::move(proof) : std::nullopt;
 }
@@ -184,7 +183,7 @@ std::optional<Proof> start(const Query& query, double distance, int low) {
     return geometry::Vector<N>{{N::scaled(x.x, low), N::scaled(x.y, low), N::scaled(x.z, low)}};
   };
   const auto frame =
-      geometry::frame_of(edges, [&corner](std::size_t i, std::size_t j) { return corner(i) - corner(j); });
+      geometry::frame_of(query.kind, [&corner](std::size_t i, std::size_t j) { return corner(i) - corner(j); });
   const auto n = geometry::normal(frame);
   const auto v = geometry::dot(n, frame.r);
   std::optional<Proof> proof(std::in_place);
@@ -199,7 +198,8 @@ std::optional<Proof> start(const Query& query, double distance, int low) {
   };
   if (distance == 0) {
     for (std::size_t k = 0; k < 3 && v.is_zero(); ++k) {
-      if (keep(n[k], geometry::first_numerator(frame, k), geometry::second_numerator(edges, frame, k))) return proof;
+      const auto second = geometry::second_numerator(query.kind, frame, k);
+      if (keep(n[k], geometry::first_numerator(frame, k), second)) return proof;
     }
     return std::nullopt;
   }

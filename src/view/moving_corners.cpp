@@ -60,8 +60,8 @@ std::array<ExactVector, 4> MovingCorners::at(const Exact& t) const {
 
 Dense MovingCorners::coplanarity() const {
   if (count < 4) return {};
-  const auto frame = geometry::frame_of(kind == Kind::edge_edge,
-                                        [this](std::size_t i, std::size_t j) { return numerators[i] - numerators[j]; });
+  const auto frame =
+      geometry::frame_of(kind, [this](std::size_t i, std::size_t j) { return numerators[i] - numerators[j]; });
   return trimmed(dot(cross(frame.u, frame.w), frame.r));
 }
 

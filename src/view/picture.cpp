@@ -189,9 +189,8 @@ json planes_of(const proofs::Proof& proof, const MovingCorners& corners, const M
   for (const proofs::Piece& piece : proof.pieces) {
     DenseVector normal = piece.direction;
     if (piece.normal) {
-      const auto frame = geometry::frame_of(corners.kind == Kind::edge_edge, [&](std::size_t i, std::size_t j) {
-        return corners.numerators[i] - corners.numerators[j];
-      });
+      const auto frame = geometry::frame_of(
+          corners.kind, [&](std::size_t i, std::size_t j) { return corners.numerators[i] - corners.numerators[j]; });
       normal = cross(frame.u, frame.w);
     }
     normal = shifted(normal, origin.t);

@@ -71,10 +71,9 @@ Expected one_by_one(const Query& query, double t_max) {
   if (filters::boxes_disjoint(query)) return {filters::kBoxesDisjoint, {}};
   const BernsteinCubic::Root root = cubic.root_between(0, 1);
   if (!root.certain) return {};
-  const bool edges = query.kind == Kind::edge_edge;
   const auto time = filters::time_of<double>(root, t_max);
-  const auto values = filters::side_values(edges, frame, m, root.t, root.radius);
-  const auto sides = filters::sides_of(edges, values);
+  const auto values = filters::side_values(query.kind, frame, m, root.t, root.radius);
+  const auto sides = filters::sides_of(query.kind, values);
   if (time.outside || sides.outside) return {filters::kNoContactAtRoot, {}};
   if (sides.unknown) return {};
   return {filters::kOneRoot | (sides.inside ? filters::kInsideElements : 0) | (time.inside ? filters::kInsideStep : 0),

@@ -77,7 +77,7 @@ TEST_CASE("the side conditions near a root are within their bounds") {
   for (const double h : kDistances) {
     const auto search = searched(85, 1, 5000, in_range, [h](const FrameCase& s, const std::vector<double>& x) {
       const double t = time_from(x[24]);
-      const auto at = filters::side_values(true, s.frame, magnitudes(s), t, h);
+      const auto at = filters::side_values(Kind::edge_edge, s.frame, magnitudes(s), t, h);
       double worst = 0;
       for (const double side : {-h, h}) {
         const Exact time = Exact(std::clamp(t + side, 0.0, 1.0));
@@ -109,8 +109,8 @@ TEST_CASE("no side is certain where n may be zero") {
       }
     }
     const FrameCase s(x);
-    const auto found = filters::side_values(true, s.frame, magnitudes(s), 0.0, 0.0);
-    const auto sides = filters::sides_of(true, found);
+    const auto found = filters::side_values(Kind::edge_edge, s.frame, magnitudes(s), 0.0, 0.0);
+    const auto sides = filters::sides_of(Kind::edge_edge, found);
     ++(sides.unknown ? unknown : known);
     const Exact at(0);
     Exact n = s.cross(0, 1, found.axis, at), first = s.cross(2, 1, found.axis, at),

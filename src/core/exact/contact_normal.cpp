@@ -58,11 +58,10 @@ struct Plane {
 };
 
 Plane plane_of(Kind kind, const Corners& x) {
-  const bool edges = kind == Kind::edge_edge;
-  const auto frame = geometry::frame_of(edges, [&x](std::size_t i, std::size_t j) { return x[i] - x[j]; });
+  const auto frame = geometry::frame_of(kind, [&x](std::size_t i, std::size_t j) { return x[i] - x[j]; });
   const Direction n = geometry::normal(frame);
   const Form v = geometry::dot(n, frame.r);  // r leads from the face to the vertex
-  return {n, edges ? v : -v};
+  return {n, kind == Kind::edge_edge ? v : -v};
 }
 
 /// r less its part along e, times |e|^2.

@@ -15,8 +15,8 @@ namespace {
 
 /// V of four positions, in any number type.
 template <class N>
-auto coplanarity_of(bool edges, const std::array<geometry::Vector<N>, 4>& x) {
-  return geometry::coplanarity(geometry::frame_of(edges, [&](std::size_t i, std::size_t j) { return x[i] - x[j]; }));
+auto coplanarity_of(Kind kind, const std::array<geometry::Vector<N>, 4>& x) {
+  return geometry::coplanarity(geometry::frame_of(kind, [&](std::size_t i, std::size_t j) { return x[i] - x[j]; }));
 }
 
 /// A value times 2^exponent; the least double of its sign where that underflows to zero.
@@ -40,7 +40,7 @@ template <int Limbs>
 double value_at_end(const Query& query, const BitSpan& span, bool start) {
   std::array<geometry::Vector<numbers::FixedInt<Limbs>>, 4> positions;
   for (std::size_t i = 0; i < 4; ++i) positions[i] = integers<Limbs>((start ? query.start : query.end)[i], span.low);
-  return scaled(to_double(coplanarity_of(query.kind == Kind::edge_edge, positions)), 3 * span.low);
+  return scaled(to_double(coplanarity_of(query.kind, positions)), 3 * span.low);
 }
 
 template <int Limbs, int TimeLimbs>
@@ -53,7 +53,7 @@ double value_between(const Query& query, const BitSpan& span, double t, int time
     const auto to = integers<Limbs>(query.end[i], span.low);
     for (std::size_t k = 0; k < 3; ++k) positions[i][k] = from[k] * earlier + to[k] * later;
   }
-  return scaled(to_double(coplanarity_of(query.kind == Kind::edge_edge, positions)), 3 * (span.low + time_low));
+  return scaled(to_double(coplanarity_of(query.kind, positions)), 3 * (span.low + time_low));
 }
 
 double value_in_any_size(const Query& query, double t) {
@@ -68,7 +68,7 @@ double value_in_any_size(const Query& query, double t) {
     };
     positions[i] = {{along(&Vec3::x), along(&Vec3::y), along(&Vec3::z)}};
   }
-  const auto [significand, exponent] = numbers::approximate(coplanarity_of(query.kind == Kind::edge_edge, positions));
+  const auto [significand, exponent] = numbers::approximate(coplanarity_of(query.kind, positions));
   return scaled(significand, static_cast<int>(exponent));
 }
 
@@ -87,7 +87,7 @@ double value_in_doubles(const Query& query, double t) {
     const auto along = [&](double Vec3::*axis) { return (1 - t) * from.*axis + t * to.*axis; };
     positions[i] = {{along(&Vec3::x), along(&Vec3::y), along(&Vec3::z)}};
   }
-  return coplanarity_of(query.kind == Kind::edge_edge, positions);
+  return coplanarity_of(query.kind, positions);
 }
 
 /// How many limbs hold so many bits and 3 to spare; 3 stands for more than two.

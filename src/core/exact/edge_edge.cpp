@@ -10,13 +10,13 @@ using geometry::first_numerator;
 using geometry::second_numerator;
 
 namespace {
-constexpr bool kEdges = true;
+constexpr Kind kKind = Kind::edge_edge;
 }
 
 template <class N>
 EdgeEdgeElements<N>::EdgeEdgeElements(const typename Forms<N>::Corners& corners)
     : corners_(corners),
-      frame_(geometry::frame_of(kEdges, [&](std::size_t i, std::size_t j) { return difference(corners, i, j); })),
+      frame_(geometry::frame_of(kKind, [&](std::size_t i, std::size_t j) { return difference(corners, i, j); })),
       n_(geometry::normal(frame_)),
       coplanarity_(dot(n_, frame_.r)) {}
 
@@ -46,7 +46,7 @@ bool EdgeEdgeElements<N>::touching(const MomentOf<Time<N>>& moment, SideSigns& f
   const Quadratic f1 = first_numerator(frame_, axis);
   if ((found.sign[0] = sign(f1, "(r x w)")) < 0) return false;
   if ((found.sign[1] = sign(completed(corners_, 0, n_[axis]) - f1, "n - (r x w)")) < 0) return false;
-  const Quadratic f2 = second_numerator(kEdges, frame_, axis);
+  const Quadratic f2 = second_numerator(kKind, frame_, axis);
   if ((found.sign[2] = sign(f2, "(r x u)")) < 0) return false;
   return (found.sign[3] = sign(completed(corners_, 1, n_[axis]) - f2, "n - (r x u)")) >= 0;
 }
@@ -75,7 +75,7 @@ void EdgeEdgeElements<N>::locate(const Time<N>& root, const SideSigns& found, An
     return {1 - weight, weight, 0};
   };
   const auto f1 = [&](std::size_t k) { return first_numerator(frame_, k); };
-  const auto f2 = [&](std::size_t k) { return second_numerator(kEdges, frame_, k); };
+  const auto f2 = [&](std::size_t k) { return second_numerator(kKind, frame_, k); };
   answer.weights_a = locate_on(0, f1, {Feature::a0, Feature::a1, Feature::a}, answer.feature_a);
   answer.weights_b = locate_on(1, f2, {Feature::b0, Feature::b1, Feature::b}, answer.feature_b);
 }

@@ -97,11 +97,12 @@ Patch corner_and_edge(const Corner& corner, const Edge& edge, const Form& multip
 
 /// Two edges, or a vertex and a face: see geometry/frame.hpp. Where n is not zero, r = f1 u - f2 w + (r . n) / |n|^2 n
 /// for edges, and r = w1 u + w2 w + (r . n) / |n|^2 n for a face, with f1 = (r x w) . n / |n|^2 and so on.
-Patch interiors(bool edges, const AnyCorners& x) {
+Patch interiors(Kind kind, const AnyCorners& x) {
+  const bool edges = kind == Kind::edge_edge;
   Patch patch;
   patch.feature_a = edges ? Feature::a : Feature::v;
   patch.feature_b = edges ? Feature::b : Feature::f;
-  const auto frame = geometry::frame_of(edges, [&x](std::size_t i, std::size_t j) { return difference(x, i, j); });
+  const auto frame = geometry::frame_of(kind, [&x](std::size_t i, std::size_t j) { return difference(x, i, j); });
   const Point n = geometry::normal(frame);
   const Form coplanarity = geometry::dot(n, frame.r);
   patch.scale = geometry::dot(n, n);
@@ -110,7 +111,7 @@ Patch interiors(bool edges, const AnyCorners& x) {
     return n[0] * numerator(0) + n[1] * numerator(1) + n[2] * numerator(2);
   };
   const Form first = along_normal([&](std::size_t k) { return geometry::first_numerator(frame, k); });
-  const Form second = along_normal([&](std::size_t k) { return geometry::second_numerator(edges, frame, k); });
+  const Form second = along_normal([&](std::size_t k) { return geometry::second_numerator(kind, frame, k); });
   patch.unit_a = scaled_by(x.multipliers[0], patch.scale);
   patch.unit_b = scaled_by(x.multipliers[1], patch.scale);
   if (edges) {
@@ -157,7 +158,7 @@ std::vector<Patch> patches_of(Kind kind, const AnyCorners& x) {
   for (const Corner& corner : b.corners) {
     for (const Edge& other : a.edges) patches.push_back(corner_and_edge(corner, other, x.multipliers[0], false));
   }
-  if (kind == Kind::edge_edge || kind == Kind::vertex_face) patches.push_back(interiors(kind == Kind::edge_edge, x));
+  if (kind == Kind::edge_edge || kind == Kind::vertex_face) patches.push_back(interiors(kind, x));
   return patches;
 }
 

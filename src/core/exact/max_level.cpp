@@ -52,7 +52,7 @@ class MaxLevel final : public DistanceLevel {
     Point u, w, r;
     if (kind == Kind::edge_edge || kind == Kind::vertex_face) {
       const auto frame =
-          geometry::frame_of(edges, [&](std::size_t i, std::size_t j) { return difference(corners_, i, j); });
+          geometry::frame_of(kind, [&](std::size_t i, std::size_t j) { return difference(corners_, i, j); });
       u = frame.u;
       w = edges ? difference(corners_, 2, 3) : frame.w;
       r = frame.r;

@@ -10,13 +10,13 @@ using geometry::first_numerator;
 using geometry::second_numerator;
 
 namespace {
-constexpr bool kEdges = false;
+constexpr Kind kKind = Kind::vertex_face;
 }
 
 template <class N>
 VertexFaceElements<N>::VertexFaceElements(const typename Forms<N>::Corners& corners)
     : corners_(corners),
-      frame_(geometry::frame_of(kEdges, [&](std::size_t i, std::size_t j) { return difference(corners, i, j); })),
+      frame_(geometry::frame_of(kKind, [&](std::size_t i, std::size_t j) { return difference(corners, i, j); })),
       n_(geometry::normal(frame_)),
       coplanarity_(geometry::dot(n_, frame_.r)) {}
 
@@ -39,7 +39,7 @@ bool VertexFaceElements<N>::touching(const MomentOf<Time<N>>& moment, SideSigns&
   const auto sign = [&](const Quadratic& x, const char* name) { return along.sign * moment.sign(x, name, along.axis); };
   const Quadratic w1 = first_numerator(frame_, axis);
   if ((found.sign[1] = sign(w1, "(r x w)")) < 0) return false;
-  const Quadratic w2 = second_numerator(kEdges, frame_, axis);
+  const Quadratic w2 = second_numerator(kKind, frame_, axis);
   if ((found.sign[2] = sign(w2, "(u x r)")) < 0) return false;
   const Quadratic rest = completed(corners_, 1, n_[axis]) - w1 - w2;
   return (found.sign[0] = sign(rest, "n - (r x w) - (u x r)")) >= 0;
@@ -57,7 +57,7 @@ void VertexFaceElements<N>::locate(const Time<N>& root, const SideSigns& found, 
   };
   const auto components = [&](std::size_t k) -> Components {
     const Quadratic n = completed(corners_, 1, n_[k]);
-    const Quadratic w1 = first_numerator(frame_, k), w2 = second_numerator(kEdges, frame_, k);
+    const Quadratic w1 = first_numerator(frame_, k), w2 = second_numerator(kKind, frame_, k);
     return {n, {n - w1 - w2, w1, w2}};
   };
   const Components own = components(axis);

@@ -28,9 +28,8 @@ std::optional<BracketFinding> decide_at_root(const BracketState& s, double p, do
   if (!root.certain) return std::nullopt;
   const RootTime<double> time = time_of<double>(root, t_max);
   if (time.outside) return kNone;
-  const SideValues<double> values =
-      side_values(query.kind == Kind::edge_edge, s.frame, s.magnitudes, root.t, root.radius);
-  const Sides<double> sides = sides_of(query.kind == Kind::edge_edge, values);
+  const SideValues<double> values = side_values(query.kind, s.frame, s.magnitudes, root.t, root.radius);
+  const Sides<double> sides = sides_of(query.kind, values);
   if (sides.outside) return kNone;
   if (sides.unknown) return BracketFinding{};
   if (wanted == Wanted::contact && sides.inside && time.inside) {

@@ -187,10 +187,10 @@ struct MovingFrame {
 };
 
 template <class Corner, class N>
-TOUCHSTONE_INLINE auto moving_frame(bool edges, const Corner& corner, const N& t) noexcept
+TOUCHSTONE_INLINE auto moving_frame(Kind kind, const Corner& corner, const N& t) noexcept
     -> MovingFrame<decltype(corner(0, 0))> {
   const auto moving = geometry::frame_of(
-      edges, [&corner, &t](std::size_t i, std::size_t j) { return moving_difference(corner, i, j, t); });
+      kind, [&corner, &t](std::size_t i, std::size_t j) { return moving_difference(corner, i, j, t); });
   return {moving, numbers::normalised(cross(moving.u.value, moving.w.value))};
 }
 
@@ -208,9 +208,10 @@ struct PreciseComponents {
 };
 
 template <class C, class Axis>
-TOUCHSTONE_INLINE auto precise_components(bool edges, const MovingFrame<C>& f, const Axis& k) noexcept {
+TOUCHSTONE_INLINE auto precise_components(Kind kind, const MovingFrame<C>& f, const Axis& k) noexcept {
   const auto normal = component(f.moving.u, f.moving.w, f.normal, k);
   const auto first = cross_component(f.moving.r, f.moving.w, k);
+  const bool edges = kind == Kind::edge_edge;
   const auto second = edges ? cross_component(f.moving.r, f.moving.u, k) : cross_component(f.moving.u, f.moving.r, k);
   const auto without_first = normal - first;
   const auto third = edges ? without_first : without_first - second;
@@ -229,12 +230,12 @@ inline auto corners_of(const Query& query) noexcept {
 }
 
 inline MovingFrame<Coordinates> moving_frame(const Query& query, double t) noexcept {
-  return moving_frame(query.kind == Kind::edge_edge, corners_of(query), t);
+  return moving_frame(query.kind, corners_of(query), t);
 }
 
 inline PreciseValues precise_values(const Query& query, double t, std::size_t k) {
   const auto frame = moving_frame(query, t);
-  return {precise_components(query.kind == Kind::edge_edge, frame, k), precise_coplanarity(frame)};
+  return {precise_components(query.kind, frame, k), precise_coplanarity(frame)};
 }
 
 template <class N>

@@ -55,12 +55,12 @@ struct StepFrame {
 };
 
 /// The frame of the corners that corner(side, i), i = 0 .. 3, gives at the step's start (side 0) and end (1), for an
-/// edge-edge query (`edges`) or a vertex-face query.
+/// edge-edge or vertex-face query.
 template <class N, class Corner>
-TOUCHSTONE_INLINE StepFrame<N> step_frame(bool edges, const Corner& corner) {
-  const auto at = [edges, &corner](int side) {
+TOUCHSTONE_INLINE StepFrame<N> step_frame(Kind kind, const Corner& corner) {
+  const auto at = [kind, &corner](int side) {
     return geometry::frame_of(
-        edges, [&corner, side](std::size_t i, std::size_t j) { return corner(side, i) - corner(side, j); });
+        kind, [&corner, side](std::size_t i, std::size_t j) { return corner(side, i) - corner(side, j); });
   };
   return {at(0), at(1)};
 }

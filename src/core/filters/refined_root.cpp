@@ -90,14 +90,13 @@ class NeighbouringDoubles {
 RefinedRoot refine_root(const Question& question, const SimpleRoot& root) {
   const auto& [query, t_max, exact_value, wanted] = question;
   const auto& [u, w, r] = root.magnitudes;
-  const bool edges = query.kind == Kind::edge_edge;
   const bool no_components = root.inside && wanted != Wanted::all;
   const ContactValues at =
       no_components ? ContactValues{{}, coplanarity_value(query, root.t)} : contact_values(query, root.t, root.axis);
   const Offset offset = offset_of(root, root.t, at.coplanarity, kCoplanarityError * (u * w * r));
   const double spread = component_spread(offset);
   if (!root.inside) {
-    const SidesAtRoot<double> sides = sides_at_root(edges, at, root.magnitudes, offset, spread);
+    const SidesAtRoot<double> sides = sides_at_root(query.kind, at, root.magnitudes, offset, spread);
     if (sides.outside) return {Outcome::no_contact};
     if (!sides.inside) return {Outcome::uncertain};
   }
@@ -107,7 +106,7 @@ RefinedRoot refine_root(const Question& question, const SimpleRoot& root) {
   if (refined.finding != Outcome::contact) return refined;
   if (is_late(refined.toi, refined.toi_upper, t_max)) return {Outcome::no_contact};
   if (wanted != Wanted::all) return refined;
-  const WeightsAtRoot<double> found = weights_at_root(edges, at, root.magnitudes, offset, spread);
+  const WeightsAtRoot<double> found = weights_at_root(query.kind, at, root.magnitudes, offset, spread);
   if (!found.certain) return {Outcome::uncertain};
   refined.weights = found.weights;
   return refined;

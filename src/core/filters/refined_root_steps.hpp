@@ -74,12 +74,13 @@ struct SidesAtRoot {
 
 /// @param spread  component_spread
 template <class N>
-TOUCHSTONE_INLINE SidesAtRoot<N> sides_at_root(bool edges, const ComponentsAt<N>& at, const MagnitudesOf<N>& m,
+TOUCHSTONE_INLINE SidesAtRoot<N> sides_at_root(Kind kind, const ComponentsAt<N>& at, const MagnitudesOf<N>& m,
                                                const OffsetOf<N>& offset, const N& spread) noexcept {
   using Lanes = numbers::Lanes<N>;
   using Mask = typename Lanes::Mask;
   const N uw = m.u * m.w, rw = m.r * m.w, ru = m.r * m.u;
   const N s = chosen(at.normal.value > 0, Lanes::all(1), Lanes::all(-1));
+  const bool edges = kind == Kind::edge_edge;
   SidesAtRoot<N> sides = {Mask{}, Lanes::every()};
   const auto look_at = [&](const ValueAndSlopeOf<N>& component, const N& error) {
     const N value = s * at_root(component, offset);
@@ -133,7 +134,7 @@ struct WeightsAtRoot {
 constexpr double kWeightError = 2.75 * kUnit;
 
 template <class N>
-TOUCHSTONE_INLINE WeightsAtRoot<N> weights_at_root(bool edges, const ComponentsAt<N>& at, const MagnitudesOf<N>& m,
+TOUCHSTONE_INLINE WeightsAtRoot<N> weights_at_root(Kind kind, const ComponentsAt<N>& at, const MagnitudesOf<N>& m,
                                                    const OffsetOf<N>& offset, const N& spread) noexcept {
   const N uw = m.u * m.w, rw = m.r * m.w, ru = m.r * m.u;
   const N normal = at_root(at.normal, offset);
@@ -143,7 +144,7 @@ TOUCHSTONE_INLINE WeightsAtRoot<N> weights_at_root(bool edges, const ComponentsA
     return chosen(quotient < 0, zero, chosen(quotient > 1, one, quotient));
   };
   const typename numbers::Lanes<N>::Mask certain = spread * (2 * uw + rw + ru) <= kWeightError * magnitude(normal);
-  if (edges) return {certain, {weight(at.first), weight(at.second), zero}};
+  if (kind == Kind::edge_edge) return {certain, {weight(at.first), weight(at.second), zero}};
   return {certain, {weight(at.third), weight(at.first), weight(at.second)}};
 }
 

@@ -60,7 +60,7 @@ struct SideValues {
 // bound over the step. So at any time within h of t the component is off by at most (16 e + 8 h) times the product.
 // Within kMargin of the step, bounds and slopes grow by less than 2^-18 of themselves; the constants cover that.
 template <class N>
-TOUCHSTONE_INLINE SideValues<N> side_values(bool edges, const StepFrame<N>& f, const MagnitudesOf<N>& m, const N& t,
+TOUCHSTONE_INLINE SideValues<N> side_values(Kind kind, const StepFrame<N>& f, const MagnitudesOf<N>& m, const N& t,
                                             const N& h) noexcept {
   using Lanes = numbers::Lanes<N>;
   const geometry::Frame<geometry::Vector<N>> frame = {at(f.start.u, f.end.u, t), at(f.start.w, f.end.w, t),
@@ -75,7 +75,7 @@ TOUCHSTONE_INLINE SideValues<N> side_values(bool edges, const StepFrame<N>& f, c
           n_k,
           {magnitude(n_k), spread * m.u * m.w},
           {flipped(geometry::first_numerator(turned, 0), n_k), spread * m.r * m.w},
-          {flipped(geometry::second_numerator(edges, turned, 0), n_k), spread * m.r * m.u}};
+          {flipped(geometry::second_numerator(kind, turned, 0), n_k), spread * m.r * m.u}};
 }
 
 /// Where the two lines, or the point and the plane, meet at the roots that the values are for. Where none is set, it is
@@ -88,7 +88,7 @@ struct Sides {
 };
 
 template <class N>
-TOUCHSTONE_INLINE Sides<N> sides_of(bool edges, const SideValues<N>& values) noexcept {
+TOUCHSTONE_INLINE Sides<N> sides_of(Kind kind, const SideValues<N>& values) noexcept {
   using Mask = typename numbers::Lanes<N>::Mask;
   const auto& [axis, signed_normal, normal, first, second] = values;
   const Mask known = normal.value > normal.error;
@@ -99,6 +99,7 @@ TOUCHSTONE_INLINE Sides<N> sides_of(bool edges, const SideValues<N>& values) noe
   const auto below = [](const WithError<N>& a) { return Mask(a.value < -a.error); };
   const auto above = [](const WithError<N>& a) { return Mask(a.value > a.error); };
   const WithError<N> without_first = minus(normal, first);
+  const bool edges = kind == Kind::edge_edge;
   const WithError<N> third = edges ? without_first : minus(without_first, second);
   Mask outside = below(first), inside = above(first);
   const auto take = [&](const WithError<N>& next) {

@@ -15,7 +15,7 @@ constexpr bool has_cubic(Kind kind) noexcept { return kind == Kind::edge_edge ||
 
 /// The frame of a query that has a cubic.
 inline StepFrame<double> frame_of(const Query& query) noexcept {
-  return step_frame<double>(query.kind == Kind::edge_edge, [&query](int side, std::size_t i) {
+  return step_frame<double>(query.kind, [&query](int side, std::size_t i) {
     const Vec3& x = (side == 0 ? query.start : query.end)[i];
     return Vector{{x.x, x.y, x.z}};
   });

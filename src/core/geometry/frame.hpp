@@ -8,6 +8,8 @@
 
 #include <cstddef>
 
+#include <touchstone/query.hpp>
+
 #include "geometry/inline.hpp"
 #include "geometry/vector.hpp"
 
@@ -25,10 +27,10 @@ struct Frame {
   V u, w, r;
 };
 
-/// The frame of an edge-edge query (`edges`) or a vertex-face query, from difference(i, j): corner i minus corner j.
+/// The frame of an edge-edge or vertex-face query, from difference(i, j): corner i minus corner j.
 template <class Difference>
-TOUCHSTONE_INLINE auto frame_of(bool edges, const Difference& difference) -> Frame<decltype(difference(0, 0))> {
-  if (edges) return {difference(1, 0), difference(3, 2), difference(2, 0)};
+TOUCHSTONE_INLINE auto frame_of(Kind kind, const Difference& difference) -> Frame<decltype(difference(0, 0))> {
+  if (kind == Kind::edge_edge) return {difference(1, 0), difference(3, 2), difference(2, 0)};
   return {difference(2, 1), difference(3, 1), difference(0, 1)};
 }
 
@@ -52,8 +54,8 @@ TOUCHSTONE_INLINE auto first_numerator(const Frame<V>& f, std::size_t axis) {
 
 /// The numerator of the second one: (r x u)_k for edges, (u x r)_k for a face.
 template <class V>
-TOUCHSTONE_INLINE auto second_numerator(bool edges, const Frame<V>& f, std::size_t axis) {
-  return edges ? cross_component(f.r, f.u, axis) : cross_component(f.u, f.r, axis);
+TOUCHSTONE_INLINE auto second_numerator(Kind kind, const Frame<V>& f, std::size_t axis) {
+  return kind == Kind::edge_edge ? cross_component(f.r, f.u, axis) : cross_component(f.u, f.r, axis);
 }
 
 }  // namespace touchstone::geometry

@@ -39,7 +39,7 @@ void validate_arcs(int arcs, const char* name) {
 geometry::Frame<Position> frame_between(const CurvedQuery& query, const ScrewArcs& arcs, double from, double to) {
   std::array<Position, 4> x;
   for (std::size_t c = 0; c < 4; ++c) x[c] = arcs.position(c, from, to);
-  return geometry::frame_of(query.kind == Kind::edge_edge, [&x](std::size_t i, std::size_t j) { return x[i] - x[j]; });
+  return geometry::frame_of(query.kind, [&x](std::size_t i, std::size_t j) { return x[i] - x[j]; });
 }
 
 /// The sign of V on the true motion at a time; 0 when uncertain.
@@ -58,7 +58,7 @@ bool meets_inside(const CurvedQuery& query, const ScrewArcs& arcs, double from, 
     const auto oriented = [sign](const Interval& x) { return sign > 0 ? x : -x; };
     const Interval whole = oriented(n[k]);
     const Interval first = oriented(geometry::first_numerator(frame, k));
-    const Interval second = oriented(geometry::second_numerator(edges, frame, k));
+    const Interval second = oriented(geometry::second_numerator(query.kind, frame, k));
     if (!(first.low >= 0 && second.low >= 0)) continue;
     if (edges ? (whole - first).low >= 0 && (whole - second).low >= 0 : (whole - first - second).low >= 0) return true;
   }

@@ -65,14 +65,14 @@ std::uint8_t vanishing(Kind kind, Difference&& corner_difference) {
   using geometry::dot;
   switch (kind) {
     case Kind::edge_edge: {
-      const auto frame = geometry::frame_of(true, corner_difference);
+      const auto frame = geometry::frame_of(kind, corner_difference);
       const auto& [u, w, r] = frame;
       const auto n = geometry::normal(frame);
       return bits(
           {is_zero(dot(n, r)), vanishes(n), vanishes(cross(r, u)), vanishes(cross(r, w)), vanishes(u), vanishes(w)});
     }
     case Kind::vertex_face: {
-      const auto frame = geometry::frame_of(false, corner_difference);
+      const auto frame = geometry::frame_of(kind, corner_difference);
       const auto& [u, w, r] = frame;
       const auto n = geometry::normal(frame);
       return bits({is_zero(dot(n, r)), vanishes(n), vanishes(u), vanishes(w), vanishes(corner_difference(3, 2))});

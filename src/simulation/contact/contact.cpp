@@ -60,8 +60,8 @@ std::array<double, 4> closest_weights(Kind kind, const Corners& c) {
 /// The elements' common normal, not oriented; zero where they have none.
 Vector3 common_normal(Kind kind, const Corners& c) {
   if (kind == Kind::edge_edge || kind == Kind::vertex_face) {
-    const auto [u, w, r] = geometry::frame_of(kind == Kind::edge_edge,
-                                              [&c](std::size_t i, std::size_t j) { return Vector3(c[i] - c[j]); });
+    const auto [u, w, r] =
+        geometry::frame_of(kind, [&c](std::size_t i, std::size_t j) { return Vector3(c[i] - c[j]); });
     const Vector3 n = u.cross(w);
     if (n.norm() > kParallel * u.norm() * w.norm()) return n.normalized();
   }

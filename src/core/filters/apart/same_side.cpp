@@ -34,8 +34,8 @@ TOUCHSTONE_INLINE PackedForm form_of(const Query& query) {
     const Vec3& b = query.end[i];
     return EndsVector{{numbers::pack(a.x, b.x), numbers::pack(a.y, b.y), numbers::pack(a.z, b.z)}};
   };
-  const auto [u, w, r] = geometry::frame_of(query.kind == Kind::edge_edge,
-                                            [&corner](std::size_t i, std::size_t j) { return corner(i) - corner(j); });
+  const auto [u, w, r] =
+      geometry::frame_of(query.kind, [&corner](std::size_t i, std::size_t j) { return corner(i) - corner(j); });
   const EndsVector n = geometry::cross(u, w);
   const EndsVector c = geometry::cross(u, swapped(w));  // u0 x w1 and u1 x w0
   const EndsVector d = swapped(c);

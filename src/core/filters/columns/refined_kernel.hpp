@@ -29,7 +29,7 @@ TOUCHSTONE_INLINE SimpleRootOf<numbers::Pack<Width>> gathered_roots(const Bracke
 }
 
 /// refine_root for the roots which[0], which[1] ... of one pack, as far as it goes without exact values.
-template <int Width, bool Edges>
+template <int Width, Kind K>
 void refine_pack(const Columns& columns, const RootsToRefine& from, const std::size_t* which, double t_max,
                  bool with_weights, std::size_t first, RefinedRoots& result) {
   using N = numbers::Pack<Width>;
@@ -44,7 +44,7 @@ void refine_pack(const Columns& columns, const RootsToRefine& from, const std::s
   };
   const SimpleRootOf<N> root = gathered_roots<Width>(from.roots, which);
   const MagnitudesOf<N>& m = root.magnitudes;
-  const auto frame = moving_frame(Edges, corner, root.t);
+  const auto frame = moving_frame(K, corner, root.t);
   const N value = numbers::rounded(precise_coplanarity(frame));
   const OffsetOf<N> offset = offset_of(root, root.t, value, kCoplanarityError * (m.u * m.w * m.r));
   const NearestDouble<N> at = nearest_double(root.t, offset);
@@ -54,13 +54,13 @@ void refine_pack(const Columns& columns, const RootsToRefine& from, const std::s
   Mask outside = Mask{};
   Mask touches = at.near & (at.earlier | at.later);  // or is late
   if (with_weights || Lanes::any(root.inside == 0)) {
-    const ComponentsAt<N> components = rounded(precise_components(Edges, frame, root.axis));
+    const ComponentsAt<N> components = rounded(precise_components(K, frame, root.axis));
     const N spread = component_spread(offset);
-    const SidesAtRoot<N> sides = sides_at_root(Edges, components, m, offset, spread);
+    const SidesAtRoot<N> sides = sides_at_root(K, components, m, offset, spread);
     outside = (root.inside == 0) & sides.outside;
     touches = touches & (root.inside | sides.inside);
     if (with_weights) {
-      const WeightsAtRoot<N> found = weights_at_root(Edges, components, m, offset, spread);
+      const WeightsAtRoot<N> found = weights_at_root(K, components, m, offset, spread);
       touches = touches & (late | found.certain);
       for (std::size_t k = 0; k < 3; ++k) Lanes::store(found.weights[k], result.weights[k] + first);
     }
@@ -75,23 +75,23 @@ void refine_pack(const Columns& columns, const RootsToRefine& from, const std::s
 }
 
 /// Whole packs. The last one has its last root in every lane that is left over.
-template <int Width, bool Edges>
+template <int Width, Kind K>
 void refine(const Columns& columns, const RootsToRefine& roots, double t_max, bool with_weights, RefinedRoots& result) {
   std::size_t i = 0;
   for (; i + Width <= roots.count; i += Width) {
-    refine_pack<Width, Edges>(columns, roots, roots.which + i, t_max, with_weights, i, result);
+    refine_pack<Width, K>(columns, roots, roots.which + i, t_max, with_weights, i, result);
   }
   if (i == roots.count) return;
   std::size_t rest[Width];
   for (std::size_t lane = 0; lane < Width; ++lane) {
     rest[lane] = roots.which[i + lane < roots.count ? i + lane : roots.count - 1];
   }
-  refine_pack<Width, Edges>(columns, roots, rest, t_max, with_weights, i, result);
+  refine_pack<Width, K>(columns, roots, rest, t_max, with_weights, i, result);
 }
 
 template <int Width>
 RefineKernel refine_kernel_for(Kind kind) {
-  return kind == Kind::edge_edge ? refine<Width, true> : refine<Width, false>;
+  return kind == Kind::edge_edge ? refine<Width, Kind::edge_edge> : refine<Width, Kind::vertex_face>;
 }
 
 }  // namespace

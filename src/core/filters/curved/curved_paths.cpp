@@ -293,8 +293,8 @@ bool certainly_farther(const CurvedQuery& query, const Separation& separation) n
         at[i][axis] = sum / static_cast<double>(path.count);
       }
     }
-    Point n = geometry::normal(
-        geometry::frame_of(query.kind == Kind::edge_edge, [&](std::size_t i, std::size_t j) { return at[i] - at[j]; }));
+    Point n =
+        geometry::normal(geometry::frame_of(query.kind, [&](std::size_t i, std::size_t j) { return at[i] - at[j]; }));
     const double largest = largest_of(n);
     if (largest > 0) {
       const double sign = geometry::dot(n, at[first] - at[0]) < 0 ? -1 : 1;
