@@ -214,16 +214,16 @@ std::optional<Proof> start(const Query& query, double distance, int low) {
 }  // namespace
 
 std::optional<Proof> quick_contact(const Query& query, const Answer& answer, const Separation& separation) {
-  static_assert(4 * exact::kMostBits<1> + 16 < 256 && 6 * exact::kMostBits<1> + 23 < 384);
-  static_assert(4 * exact::kMostBits<2> + 16 < 512 && 6 * exact::kMostBits<2> + 23 < 768);
+  static_assert(4 * exact::kMostBits<exact::Short> + 16 < 256 && 6 * exact::kMostBits<exact::Short> + 23 < 384);
+  static_assert(4 * exact::kMostBits<exact::Medium> + 16 < 512 && 6 * exact::kMostBits<exact::Medium> + 23 < 768);
   const double distance = separation.distance;
   if (!filters::has_cubic(query.kind) || (answer.toi == answer.toi_upper && answer.toi > 0)) return std::nullopt;
   if (distance > 0 && separation.metric == Metric::max) return std::nullopt;
   exact::BitSpan span = exact::coordinate_span(query);
   span.add(distance);
   const int bits = span.bits();
-  if (bits > exact::kMostBits<2>) return std::nullopt;
-  const bool is_short = bits <= exact::kMostBits<1>;
+  if (bits > exact::kMostBits<exact::Medium>) return std::nullopt;
+  const bool is_short = bits <= exact::kMostBits<exact::Short>;
   if (answer.toi_upper == 0) {
     return is_short ? start<exact::Short>(query, distance, span.low) : start<exact::Medium>(query, distance, span.low);
   }

@@ -43,11 +43,9 @@ typename Forms<N>::Corners integer_corners(const Query& query) {
   return integer_corners<N>(query, {low, low, low});
 }
 
-template <int Limbs>
-typename Forms<Near<Limbs>>::Corners near_corners(const Query& query, const std::array<BitSpan, 3>& spans) {
-  using Integer = typename Near<Limbs>::Integer;
-  if constexpr (Limbs <= 1) {
-    static_assert(kMostBits<Limbs> < 63);
+template <class Integer>
+typename Forms<Integer>::Corners near_corners(const Query& query, const std::array<BitSpan, 3>& spans) {
+  if constexpr (kMostBits<Integer> < 63) {
     // The power of two and the product are exact: the product is an integer of at most kMostBits bits.
     const auto is_ordinary = [](const BitSpan& span) { return span.low > -1000 && span.low < 1000; };
     if (is_ordinary(spans[0]) && is_ordinary(spans[1]) && is_ordinary(spans[2])) {
@@ -56,7 +54,7 @@ typename Forms<Near<Limbs>>::Corners near_corners(const Query& query, const std:
       };
       const Vec3 unit = {power(-spans[0].low), power(-spans[1].low), power(-spans[2].low)};
       const auto integer = [](double x) { return Integer::integer(static_cast<std::int64_t>(x)); };
-      return corners_of<typename Forms<Near<Limbs>>::Corners>(query, [&](const Vec3& x) {
+      return corners_of<typename Forms<Integer>::Corners>(query, [&](const Vec3& x) {
         return std::array<Integer, 3>{integer(x.x * unit.x), integer(x.y * unit.y), integer(x.z * unit.z)};
       });
     }
@@ -82,18 +80,18 @@ Forms<Long>::Corners moving_corners<Long>(const Query& query) {
 }
 
 template <>
-Forms<Near<0>>::Corners moving_corners<Near<0>>(const Query& query, const std::array<BitSpan, 3>& spans) {
-  return near_corners<0>(query, spans);
+Forms<Near<SmallInt>>::Corners moving_corners<Near<SmallInt>>(const Query& query, const std::array<BitSpan, 3>& spans) {
+  return near_corners<SmallInt>(query, spans);
 }
 
 template <>
-Forms<Near<1>>::Corners moving_corners<Near<1>>(const Query& query, const std::array<BitSpan, 3>& spans) {
-  return near_corners<1>(query, spans);
+Forms<Near<Short>>::Corners moving_corners<Near<Short>>(const Query& query, const std::array<BitSpan, 3>& spans) {
+  return near_corners<Short>(query, spans);
 }
 
 template <>
-Forms<Near<2>>::Corners moving_corners<Near<2>>(const Query& query, const std::array<BitSpan, 3>& spans) {
-  return near_corners<2>(query, spans);
+Forms<Near<Medium>>::Corners moving_corners<Near<Medium>>(const Query& query, const std::array<BitSpan, 3>& spans) {
+  return near_corners<Medium>(query, spans);
 }
 
 ScaledCorners scaled_corners(const Query& query) {

@@ -271,13 +271,13 @@ template <class N, class Q>
 
 using Spans = std::array<BitSpan, 3>;
 
-/// A rung in integers of this size with times in double-doubles. Nothing where a doubt is left.
-template <int Limbs>
+/// A rung in integers of this size with times in double-doubles. Nothing where something stayed open: the flag tells.
+template <class Integer>
 std::optional<Answer> decide_near(const Query& query, const Spans& spans, double t_max, Wanted wanted) {
   numbers::Doubt doubt;
-  const NearRange<Time<Near<Limbs>>> range(t_max, doubt);
-  std::optional<Answer> answer = with_elements_of<Near<Limbs>>(
-      query.kind, moving_corners<Near<Limbs>>(query, spans),
+  const NearRange<Time<Near<Integer>>> range(t_max, doubt);
+  std::optional<Answer> answer = with_elements_of<Near<Integer>>(
+      query.kind, moving_corners<Near<Integer>>(query, spans),
       [&](const auto& elements) -> std::optional<Answer> { return first_contact(elements, range, wanted, nullptr); });
   if (doubt.raised()) answer.reset();
   return answer;
@@ -299,19 +299,19 @@ struct RungOfLadder {
 };
 constexpr int kAnyBits = std::numeric_limits<int>::max();
 constexpr RungOfLadder kLadder[] = {
-    {Rung::near_word, true, 0, kMostBits<0>, decide_near<0>},
-    {Rung::near_one, true, kMostBits<0> + 1, kMostBits<1>, decide_near<1>},
-    {Rung::near_two, true, kMostBits<1> + 1, kMostBits<2>, decide_near<2>},
-    {Rung::exact_one, false, 0, kMostBits<1>, decide_in<Short>},
-    {Rung::exact_two, false, 0, kMostBits<2>, decide_in<Medium>},
-    {Rung::exact_three, false, 0, kMostBits<3>, decide_in<Long>},
+    {Rung::near_word, true, 0, kMostBits<SmallInt>, decide_near<SmallInt>},
+    {Rung::near_one, true, kMostBits<SmallInt> + 1, kMostBits<Short>, decide_near<Short>},
+    {Rung::near_two, true, kMostBits<Short> + 1, kMostBits<Medium>, decide_near<Medium>},
+    {Rung::exact_one, false, 0, kMostBits<Short>, decide_in<Short>},
+    {Rung::exact_two, false, 0, kMostBits<Medium>, decide_in<Medium>},
+    {Rung::exact_three, false, 0, kMostBits<Long>, decide_in<Long>},
     {Rung::exact_any, false, 0, kAnyBits, decide_in<Exact>},
 };
 
 static_assert(std::size(kLadder) == kRungs && kLadder[kRungs - 1].most_bits == kAnyBits &&
                   kLadder[kRungs - 1].rung == Rung::exact_any,
               "the last rung decides each query");
-static_assert(kMostBits<0> == 16 && kMostBits<1> == 59 && kMostBits<2> == 123 && kMostBits<3> == 187,
+static_assert(kMostBits<SmallInt> == 16 && kMostBits<Short> == 59 && kMostBits<Medium> == 123 && kMostBits<Long> == 187,
               "as exact.hpp, the solver's ladder and the design page say");
 
 Answer decide_from(Rung first, const Query& query, double t_max, Wanted wanted, Rung* decided) {

@@ -72,29 +72,29 @@ struct Forms<AnyDegree> {
   using Corners = AnyCorners;
 };
 
-/// In place of a number type: coordinates of type FixedInt<Limbs>, or SmallInt for no limbs, whose times are known as
+/// In place of a number type: coordinates of type Integer, SmallInt or FixedInt, whose times are known as
 /// numbers::NearRoot.
-template <int Limbs>
-struct Near {
-  using Integer = numbers::FixedInt<Limbs>;
-  using Time = numbers::NearRoot<Limbs>;
-};
+template <class Integer>
+struct Near;
 template <>
-struct Near<0> {
-  using Integer = numbers::SmallInt;
+struct Near<numbers::SmallInt> {
   using Time = numbers::NearRoot<1>;
 };
 template <int Limbs>
-struct Forms<Near<Limbs>> : Forms<typename Near<Limbs>::Integer> {};
+struct Near<numbers::FixedInt<Limbs>> {
+  using Time = numbers::NearRoot<Limbs>;
+};
+template <class Integer>
+struct Forms<Near<Integer>> : Forms<Integer> {};
 
 /// The type of times over numbers of type N.
 template <class N>
 struct TimeOf {
   using Type = RealRoot;
 };
-template <int Limbs>
-struct TimeOf<Near<Limbs>> {
-  using Type = typename Near<Limbs>::Time;
+template <class Integer>
+struct TimeOf<Near<Integer>> {
+  using Type = typename Near<Integer>::Time;
 };
 template <class N>
 using Time = typename TimeOf<N>::Type;
@@ -124,7 +124,9 @@ inline Form completed(const AnyCorners& corners, std::size_t element, const Form
   return scaled_by(corners.multipliers[element], p);
 }
 
-/// The number types of coordinates at this level: integers of one, two or three limbs, and Exact, numbers of any size.
+/// The number types of coordinates at this level: integers of one word for all that is computed; of one, two
+/// or three limbs, which grow with each product; and Exact, numbers of any size.
+using numbers::SmallInt;
 using Short = numbers::FixedInt<1>;
 using Medium = numbers::FixedInt<2>;
 using Long = numbers::FixedInt<3>;
@@ -135,9 +137,9 @@ using Long = numbers::FixedInt<3>;
   template class Template<Short>;                 \
   template class Template<Medium>;                \
   template class Template<Long>;                  \
-  template class Template<Near<0>>;               \
-  template class Template<Near<1>>;               \
-  template class Template<Near<2>>;               \
+  template class Template<Near<SmallInt>>;        \
+  template class Template<Near<Short>>;           \
+  template class Template<Near<Medium>>;          \
   template class Template<Exact>;                 \
   template class Template<AnyDegree>
 // NOLINTEND(bugprone-macro-parentheses)
@@ -148,14 +150,17 @@ using Long = numbers::FixedInt<3>;
 ///   them and dot products 2 B + 7; their Bernstein coefficients 2 B + 9;
 /// - V's coefficients 3 B + 10, sums of 3 such products with B + 1 and 3 with B + 2; its Bernstein coefficients, below
 ///   6 times more, 3 B + 13.
-/// SmallInt, with no limbs, has one word for all of them.
+/// SmallInt has one word for all of them.
+constexpr int most_bits_for(int words_of_v) { return (64 * words_of_v - 1 - 13) / 3; }
+template <class Integer>
+constexpr int kMostBits = most_bits_for(1);
 template <int Limbs>
-constexpr int kMostBits = (64 * (Limbs > 0 ? 3 * Limbs : 1) - 1 - 13) / 3;
-static_assert(kMostBits<1> + 2 < 64 && 2 * kMostBits<1> + 9 < 128 && kMostBits<2> + 2 < 128 &&
-              2 * kMostBits<2> + 9 < 256);
-static_assert(kMostBits<3> + 2 < 192 && 2 * kMostBits<3> + 9 < 384);
-static_assert(kMostBits<0> == 16 && 2 * kMostBits<0> + 9 <= numbers::NearRoot<1>::kMostSmallBits &&
-              3 * kMostBits<0> + 10 < 60);
+constexpr int kMostBits<numbers::FixedInt<Limbs>> = most_bits_for(3 * Limbs);
+static_assert(kMostBits<Short> + 2 < 64 && 2 * kMostBits<Short> + 9 < 128 && kMostBits<Medium> + 2 < 128 &&
+              2 * kMostBits<Medium> + 9 < 256);
+static_assert(kMostBits<Long> + 2 < 192 && 2 * kMostBits<Long> + 9 < 384);
+static_assert(kMostBits<SmallInt> == 16 && 2 * kMostBits<SmallInt> + 9 <= numbers::NearRoot<1>::kMostSmallBits &&
+              3 * kMostBits<SmallInt> + 10 < 60);
 
 /// Touching begins or ends only at roots of these polynomials. Each of the four pairs of a corner and the other edge
 /// has at most two of them.
