@@ -68,22 +68,20 @@ geometry::Vector<N> times(const N& factor, const geometry::Vector<N>& v) noexcep
   return {{factor * v[0], factor * v[1], factor * v[2]}};
 }
 
-/// c falls towards smaller s where c . u > 0: at the end 1, where s is 1.
 template <class N>
-void require_end(Feet<N>& feet, double end, const N& slope) noexcept {
-  feet.require(end == 1 ? slope : -slope);
+N signed_by(double sign, const N& x) noexcept {
+  return sign < 0 ? -x : x;
 }
 
-/// At the corner (s, q) of a triangle.
+/// That other points are farther along n.
 template <class N>
-void require_corner(Feet<N>& feet, double s, double q, const N& u, const N& w) noexcept {
-  if (s == 0 && q == 0) {
-    feet.require(-u);
-    feet.require(-w);
-  } else {
-    feet.require(s == 1 ? u : w);
-    feet.require(s == 1 ? u - w : w - u);
-  }
+void require_farther(Feet<N>& feet, Domain domain, Free free, const Parameters& p, const geometry::Vector<N>& n,
+                     const PointDifferences<N>& x) noexcept {
+  for_each_multiplier(domain, free, p, [&](int i, int j) {
+    if (j == 0) return feet.require(signed_by(i, dot(n, x.u)));
+    if (i == 0) return feet.require(signed_by(j, dot(n, x.w)));
+    feet.require(signed_by(i, dot(n, x.u) - dot(n, x.w)));
+  });
 }
 
 /// With both parameters free, over units that are multiples of `size`: the third weight, and that all are inside.
@@ -121,45 +119,20 @@ geometry::Vector<N> foot_on_edge(Feet<N>& feet, const geometry::Vector<N>& p, co
 template <class N>
 Feet<N> feet_of(Domain domain, Free free, const Parameters& p, const PointDifferences<N>& x) noexcept {
   Feet<N> feet;
-  geometry::Vector<N> corner = x.r;
-  if (free != Free::both && free != Free::s && p.s == 1) corner = corner - times(x.first, x.u);
+  geometry::Vector<N> c = x.r;  // between corners, then between the feet
+  if (free != Free::both && free != Free::s && p.s == 1) c = c - times(x.first, x.u);
+  if (free != Free::both && free != Free::q && p.q == 1) c = c - times(x.second, x.w);
   switch (free) {
-    case Free::none: {
-      if (p.q == 1) corner = corner - times(x.second, x.w);
-      feet.gap = dot(corner, corner);
+    case Free::none:
+      feet.gap = dot(c, c);
       feet.measure = exact_number<N>(1);
-      if (domain == Domain::point) break;
-      const N u = dot(corner, x.u);
-      if (domain == Domain::segment) {
-        require_end(feet, p.s, u);
-        break;
-      }
-      const N w = dot(corner, x.w);
-      if (domain == Domain::square) {
-        require_end(feet, p.s, u);
-        require_end(feet, p.q, w);
-      } else {
-        require_corner(feet, p.s, p.q, u, w);
-      }
       break;
-    }
-    case Free::s: {
-      if (p.q == 1) corner = corner - times(x.second, x.w);
-      const auto c = foot_on_edge(feet, corner, x.u, x.first);
-      if (domain != Domain::segment) require_end(feet, p.q, dot(c, x.w));
-      break;
-    }
-    case Free::q: {
-      const auto c = foot_on_edge(feet, corner, x.w, x.second);
-      require_end(feet, p.s, dot(c, x.u));
-      break;
-    }
-    case Free::sum: {
+    case Free::s: c = foot_on_edge(feet, c, x.u, x.first); break;
+    case Free::q: c = foot_on_edge(feet, c, x.w, x.second); break;
+    case Free::sum:
       // s = 1 - q: c = r - u - q (w - u), as a triangle has one factor for both.
-      const auto c = foot_on_edge(feet, x.r - times(x.first, x.u), x.w - x.u, x.second);
-      feet.require(dot(c, x.u));
+      c = foot_on_edge(feet, x.r - times(x.first, x.u), x.w - x.u, x.second);
       break;
-    }
     case Free::both: {
       const auto n = geometry::cross(x.u, x.w);
       const N along = dot(n, x.r);
@@ -172,6 +145,7 @@ Feet<N> feet_of(Domain domain, Free free, const Parameters& p, const PointDiffer
       break;
     }
   }
+  require_farther(feet, domain, free, p, c, x);
   return feet;
 }
 
@@ -188,11 +162,6 @@ template <class N>
 struct LevelOf {
   N numerator, denominator;
 };
-
-template <class N>
-N signed_by(double sign, const N& x) noexcept {
-  return sign < 0 ? -x : x;
-}
 
 /// See max_entry.cpp: where the facet's direction keeps the elements farthest apart, their distance is gap / measure,
 /// and c is the level along the axes that count. A gap that is not positive would be of the opposite direction, or of
@@ -227,27 +196,7 @@ Feet<N> feet_of(Domain domain, const SignedFacet& hint, const PointDifferences<N
   feet.require(feet.gap);
   const LevelOf<N> own = {feet.gap, feet.measure};
   const auto& [top, bottom] = level != nullptr ? *level : own;
-  // Other corners have greater n . c.
-  if (facet.sort != Sort::plane && domain != Domain::point) {
-    const N u = dot(n, x.u);
-    if (domain == Domain::segment) {
-      if (facet.free != Free::s) require_end(feet, facet.s, u);
-    } else {
-      const N w = dot(n, x.w);
-      if (domain == Domain::square) {
-        if (facet.free != Free::s) require_end(feet, facet.s, u);
-        if (facet.free != Free::q) require_end(feet, facet.q, w);
-      } else if (facet.free == Free::s) {
-        feet.require(-w);
-      } else if (facet.free == Free::q) {
-        feet.require(-u);
-      } else if (facet.free == Free::sum) {
-        feet.require(u);
-      } else {
-        require_corner(feet, facet.s, facet.q, u, w);
-      }
-    }
-  }
+  require_farther(feet, domain, facet.free, {facet.s, facet.q}, n, x);
   // a is the corner minus the level's corner of the cube, times the level's denominator.
   geometry::Vector<N> a = times(bottom, p);
   for (std::size_t k = 0; k < 3; ++k) {

@@ -372,32 +372,13 @@ class EuclideanEntry {
 
   /// Whether moving a parameter off its border certainly takes the points apart, to first order.
   bool strictly_closest(const ClosestPoints& found, Free free, double cu_error, double cw_error) const noexcept {
-    const auto [s, q] = found.p;
-    const double cu = found.cu, cw = found.cw;
-    switch (step_.domain) {
-      case Domain::point: return true;
-      case Domain::segment: return s == 0 ? cu < -cu_error : s == 1 ? cu > cu_error : true;
-      case Domain::square:
-        return (s == 0   ? cu < -cu_error
-                : s == 1 ? cu > cu_error
-                         : true) &&
-               (q == 0   ? cw < -cw_error
-                : q == 1 ? cw > cw_error
-                         : true);
-      case Domain::triangle: break;
-    }
-    const double both = 2 * (cu_error + cw_error);
-    switch (free) {
-      case Free::none:
-        if (s == 1) return cu > cu_error && -found.difference > both;
-        if (q == 1) return cw > cw_error && found.difference > both;
-        return cu < -cu_error && cw < -cw_error;
-      case Free::s: return cw < -cw_error;
-      case Free::q: return cu < -cu_error;
-      case Free::sum: return cu > both && cw > both;
-      case Free::both: break;
-    }
-    return true;
+    bool strictly = true;
+    for_each_multiplier(step_.domain, free, found.p, [&](int i, int j) {
+      const bool of_both = (i != 0 && j != 0) || free == Free::sum;
+      const double error = of_both ? 2 * (cu_error + cw_error) : i != 0 ? cu_error : cw_error;
+      strictly &= (i == 0 ? j * found.cw : j == 0 ? i * found.cu : j * found.difference) > error;
+    });
+    return strictly;
   }
 
   /// The elements are perhaps within the separation at t = 0.

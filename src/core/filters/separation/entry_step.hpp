@@ -219,6 +219,28 @@ inline Free free_parameters(Domain domain, const Parameters& p) noexcept {
   return s && q ? Free::both : s ? Free::s : q ? Free::q : Free::none;
 }
 
+/// Calls f(i, j) for each bound that holds the parameters of the closest points. Its Lagrange multiplier is
+/// n . (i u + j w), with n the direction between the points: where all are positive, n . c grows on all ways from the
+/// points into the domain but those along free parameters. At the bound s + q <= 1, n . u and n . w are the same where
+/// the other parameter is free.
+template <class F>
+void for_each_multiplier(Domain domain, Free free, const Parameters& p, const F& f) {
+  if (domain == Domain::point || free == Free::both) return;
+  if (domain == Domain::triangle) {
+    if (free == Free::sum) return f(1, 0);
+    if (free == Free::none && p.s == 1) {
+      f(1, 0);
+      return f(1, -1);
+    }
+    if (free == Free::none && p.q == 1) {
+      f(0, 1);
+      return f(-1, 1);
+    }
+  }
+  if (free != Free::s) f(p.s == 1 ? 1 : -1, 0);
+  if (free != Free::q && domain != Domain::segment) f(0, p.q == 1 ? 1 : -1);
+}
+
 /// Writes the closest points into the answer. Parameters that are not free are exactly 0 or 1.
 inline void name_closest(Kind kind, double s, double q, Free free, Answer& answer) noexcept {
   const auto on_edge = [](double x, const std::array<Feature, 3>& features, Feature& feature) -> std::array<double, 3> {

@@ -221,25 +221,10 @@ class MaxEntry {
     if (facet.sort == Sort::plane) return true;
     const double margin = kError * size * (step_.size + step_.speed);
     const double u = dot(n, rounded_vector(found.u)), w = dot(n, rounded_vector(found.w));
-    const auto end = [margin](double x, double slope) { return x == 0 ? slope < -margin : slope > margin; };
-    switch (step_.domain) {
-      case Domain::point: return true;
-      case Domain::segment: return facet.free == Free::s || end(facet.s, u);
-      case Domain::square:
-        return (facet.free == Free::s || end(facet.s, u)) && (facet.free == Free::q || end(facet.q, w));
-      case Domain::triangle: break;
-    }
-    switch (facet.free) {
-      case Free::s: return w < -margin;
-      case Free::q: return u < -margin;
-      case Free::sum: return u > margin && w > margin;
-      case Free::none:
-        if (facet.s == 1) return u > margin && u - w > margin;
-        if (facet.q == 1) return w > margin && w - u > margin;
-        return u < -margin && w < -margin;
-      case Free::both: break;
-    }
-    return true;
+    bool farther = true;
+    for_each_multiplier(step_.domain, facet.free, {facet.s, facet.q},
+                        [&](int i, int j) { farther &= i * u + j * w > margin; });
+    return farther;
   }
 
   /// The parameters at which c is the level along the axes that count.
