@@ -22,45 +22,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
+#include "filters/separation/closest_points.hpp"
 #include "filters/separation/entry_walk.hpp"
 #include "filters/separation/max_entry.hpp"
 
 namespace touchstone::filters {
 namespace {
-
-// Errors in double-doubles, in e^2 = 2^-106. A coordinate of u at t is off by less than 40 e^2 U (see entry_step.hpp).
-// Products with s and q in [0, 1] and the sums c = r - s u - q w: less than 80 e^2 S for a coordinate of c. A dot
-// product of c, of coordinates at most C, with u: 3 C (40 + 24) e^2 U and sums: less than 300 e^2 C U. The same for c .
-// c with the error of c itself: 2 * 3 * 80 e^2 C S and less than 100 e^2 C C. The sum c . c + (s - i) c . u + (q - j) c
-// . w is then off by less than 1200 e^2 C S, as C is at most S.
-constexpr double kPreciseError = 2048 * 0x1p-106;
-
-// The gradient along a parameter is P . u, with P the true difference: c is off by 80 e^2 S in each coordinate, so the
-// gradient by another 240 e^2 S U. The bound above covers it with S in place of C.
-
-/// v - factor d.
-PreciseVector minus(const PreciseVector& v, double factor, const PreciseVector& d) noexcept {
-  PreciseVector result;
-  for (std::size_t k = 0; k < 3; ++k) result[k] = numbers::normalised(v[k] - factor * d[k]);
-  return result;
-}
-
-/// The closest points at one time, in double-doubles.
-struct ClosestPoints {
-  Parameters p;           ///< s and q, whose corrections are left out
-  double ds = 0, dq = 0;  ///< the corrections
-  Vector c;               ///< rounded
-  double excess;          ///< |c|^2 - d^2
-  double cu, cw;          ///< c . u and c . w; about 0 along free parameters
-  double difference;      ///< c . w - c . u
-  double lowest;          ///< the least c . (corner - c) over the corners
-  double error;           ///< of the excess and of `lowest`
-  Vector u, w;            ///< rounded
-  double uu, ww, uw;
-  double ee = 0;  ///< (u - w) . (u - w), for the border s + q = 1 only
-  bool ok = false;
-};
 
 class EuclideanEntry {
  public:
@@ -97,78 +66,6 @@ class EuclideanEntry {
     return iterate;
   }
 
-  /// The closest points at t near the parameters p, made exact enough.
-  ClosestPoints refine(double t, const Parameters& p) const noexcept {
-    ClosestPoints at_t;
-    at_t.p = p;
-    const PreciseVector r = at(precise_.r, t), u = at(precise_.u, t), w = at(precise_.w, t);
-    at_t.u = rounded_vector(u);
-    at_t.w = rounded_vector(w);
-    at_t.uu = dot(at_t.u, at_t.u);
-    at_t.ww = dot(at_t.w, at_t.w);
-    at_t.uw = dot(at_t.u, at_t.w);
-    const Free free = free_parameters(step_.domain, p);
-    if (free == Free::sum) {
-      const Vector e = rounded_vector(minus(u, 1, w));  // uu - 2 uw + ww would cancel
-      at_t.ee = dot(e, e);
-    }
-    PreciseVector c = minus(minus(r, p.s, u), p.q, w);
-    // Along the border s + q = 1 both are large and nearly equal.
-    const DoubleDouble slope_s = dot(c, u), slope_q = dot(c, w);
-    if (!correct(at_t, free, rounded(slope_s), rounded(slope_q), rounded(slope_s - slope_q))) return at_t;
-    c = minus(minus(c, at_t.ds, u), at_t.dq, w);
-    at_t.c = rounded_vector(c);
-    const DoubleDouble square = dot(c, c);
-    at_t.excess = rounded(square - numbers::two_product(distance_, distance_));
-    const DoubleDouble cu = dot(c, u), cw = dot(c, w);
-    at_t.cu = rounded(cu);
-    at_t.cw = rounded(cw);
-    at_t.difference = rounded(cw - cu);
-    at_t.lowest = lowest_at_corners(at_t) * (1 + 0x1p-32);
-    at_t.error = kPreciseError * largest_of(at_t.c) * step_.size + 8 * kUnit * std::fabs(at_t.excess);
-    at_t.ok = largest_of(at_t.c) >= kLeastFraction * step_.size;
-    return at_t;
-  }
-
-  /// At most the least of c . (corner - c), where corner (i, j) - c is (s - i) u + (q - j) w. It is a sum of products
-  /// that are not positive, so nothing cancels. A weight that is not 0 or 1 is at least 2^-20 (see `allowed`) and off
-  /// by at most 2 e = 2^-52, so each product is off by less than 2^-32 of it.
-  double lowest_at_corners(const ClosestPoints& at_t) const noexcept {
-    const double s = at_t.p.s + at_t.ds, q = at_t.p.q + at_t.dq;
-    const auto on_edge = [](double x, double slope) { return slope > 0 ? -(1 - x) * slope : x * slope; };
-    switch (step_.domain) {
-      case Domain::square: return on_edge(s, at_t.cu) + on_edge(q, at_t.cw);
-      case Domain::segment: return on_edge(s, at_t.cu);
-      case Domain::point: return 0;
-      case Domain::triangle: break;
-    }
-    const auto below_zero = [](double a, double b) { return std::min(a, 0.0) + std::min(b, 0.0); };
-    const double rest = (1 - at_t.p.s - at_t.p.q) - (at_t.ds + at_t.dq);  // f0's weight
-    return std::min({below_zero(s * at_t.cu, q * at_t.cw), below_zero(q * at_t.difference, -rest * at_t.cu),
-                     below_zero(-s * at_t.difference, -rest * at_t.cw)});
-  }
-
-  /// Newton's step of the free parameters towards c . u = c . w = 0. False where it is not determined.
-  static bool correct(ClosestPoints& at_t, Free free, double cu, double cw, double difference) noexcept {
-    switch (free) {
-      case Free::none: return true;
-      case Free::s: at_t.ds = cu / at_t.uu; break;
-      case Free::q: at_t.dq = cw / at_t.ww; break;
-      case Free::sum:
-        at_t.ds = difference / at_t.ee;
-        at_t.dq = -at_t.ds;
-        break;
-      case Free::both: {
-        const double determinant = at_t.uu * at_t.ww - at_t.uw * at_t.uw;
-        at_t.ds = (cu * at_t.ww - cw * at_t.uw) / determinant;
-        at_t.dq = (cw * at_t.uu - cu * at_t.uw) / determinant;
-        break;
-      }
-    }
-    constexpr double kLargestCorrection = 0x1p-20;  // a larger one shows that the hint is wrong
-    return std::fabs(at_t.ds) <= kLargestCorrection && std::fabs(at_t.dq) <= kLargestCorrection;
-  }
-
   /// The corrected parameters are those of points of the elements: free ones are inside by more than the corrections.
   /// Those are at most 2^-20 each, so a free weight stays 2^-20 or more from 0 and 1, also the one that both correct.
   bool allowed(const ClosestPoints& at_t) const noexcept {
@@ -194,7 +91,7 @@ class EuclideanEntry {
     double toi = estimate;
     constexpr int kMostSteps = 4;
     for (int i = 0; i < kMostSteps; ++i) {
-      const ClosestPoints found = refine(toi, p);
+      const ClosestPoints found = closest_points(step_, precise_, distance_, toi, p);
       if (!found.ok || !allowed(found)) return Outcome::uncertain;
       const Vector velocity = velocity_of(found);
       const double approach = -dot(found.c, velocity);
@@ -244,20 +141,68 @@ class EuclideanEntry {
   Parameters rates(const ClosestPoints& found, const Vector& velocity, Free free) const noexcept {
     const double u = dot(velocity, found.u) + dot(found.c, step_.u_slope);
     const double w = dot(velocity, found.w) + dot(found.c, step_.w_slope);
+    return changes_of_free(found, free, u, w, u - w);
+  }
+
+  /// How far the parameters may be from those of the closest points at the exact time; infinite where that is unknown.
+  struct ParameterError {
+    double ds, dq;
+    double longer;  ///< at least as much as |c|^2 may exceed the squared distance for that
+  };
+  /// @param h         the time between the neighbouring doubles
+  /// @param cu_error  how far c . u may be from 0 for a free s at the exact time, beyond found.cu; likewise cw_error
+  ParameterError parameter_error(const ClosestPoints& found, Free free, double h, double cu_error,
+                                 double cw_error) const noexcept {
+    constexpr double kUnknown = std::numeric_limits<double>::infinity();
+    constexpr double kSolveReserve = 4;
+    const double speed = step_.speed, u_size = step_.u_size, w_size = step_.w_size;
+    // Whether a squared length is that of an edge which neither the time h nor roundings change by more than 2^-38.
+    const auto is_long = [h, speed](double square, double size) {
+      constexpr double kLong = 0x1p80;
+      return square >= kLong * (16 * h * h * speed * speed) && square * kLong >= size * size;
+    };
+    // Along one edge, whose product with c may be so large.
+    const auto along = [&](double square, double size, double most) {
+      return is_long(square, size) ? kSolveReserve * most / square : kUnknown;
+    };
+    double cu_most = std::fabs(found.cu) + cu_error, cw_most = std::fabs(found.cw) + cw_error;
     switch (free) {
       case Free::none: break;
-      case Free::s: return {u / found.uu, 0};
-      case Free::q: return {0, w / found.ww};
+      case Free::s: {
+        const double ds = along(found.uu, u_size, cu_most);
+        return {ds, 0, ds * cu_most};
+      }
+      case Free::q: {
+        const double dq = along(found.ww, w_size, cw_most);
+        return {0, dq, dq * cw_most};
+      }
       case Free::sum: {
-        const double rate = (u - w) / found.ee;
-        return {rate, -rate};
+        const double most = std::fabs(found.difference) + cu_error + cw_error;
+        const double ds = along(found.ee, u_size + w_size, most);
+        return {ds, ds, ds * most};
       }
       case Free::both: {
+        // Changes by 2^-38 of the lengths, and roundings, change a determinant of this size by less than a tenth.
         const double determinant = found.uu * found.ww - found.uw * found.uw;
-        return {(u * found.ww - w * found.uw) / determinant, (w * found.uu - u * found.uw) / determinant};
+        const bool are_long = is_long(found.uu, u_size) && is_long(found.ww, w_size);
+        if (!(are_long && determinant >= 0x1p-24 * found.uu * found.ww)) return {kUnknown, kUnknown, kUnknown};
+        // The rates solve a system of two equations by Cramer's rule. Let A be u^2 w^2 / determinant, F and G the first
+        // derivatives of c . u and c . w: F <= 3 speed (U + C), off by 16 e F, and G likewise. The products and the
+        // difference are off by 5 e, the determinant by 4 e A of its size. Put into the first equation, the rates leave
+        // less than (2 (16 e + 5 e) A + 8 e A^2) (F + G |u| / |w|), and into the second the same with u for w.
+        const double c_size = largest_of(found.c);
+        const double amplified = found.uu * found.ww / determinant;
+        const double left = 64 * kUnit * amplified * amplified * 3 * speed * h;
+        const double ratio = std::sqrt(found.uu / found.ww);
+        const double first = left * (u_size + c_size), second = left * (w_size + c_size);
+        cu_most += first + second * ratio;
+        cw_most += second + first / ratio;
+        const double ds = kSolveReserve * (cu_most * found.ww + cw_most * std::fabs(found.uw)) / determinant;
+        const double dq = kSolveReserve * (cw_most * found.uu + cu_most * std::fabs(found.uw)) / determinant;
+        return {ds, dq, ds * cu_most + dq * cw_most};
       }
     }
-    return {0, 0};
+    return {0, 0, 0};
   }
 
   /// The answer, once the exact time is known to lie in [toi, upper], where h = upper - toi and the velocity is that of
@@ -266,8 +211,7 @@ class EuclideanEntry {
                    double approach, double slope_error, Nature nature) noexcept {
     const double speed = step_.speed;
     const double c_size = largest_of(found.c);
-    const double u_size = std::max(largest_of(step_.u[0]), largest_of(step_.u[1]));
-    const double w_size = std::max(largest_of(step_.w[0]), largest_of(step_.w[1]));
+    const double u_size = step_.u_size, w_size = step_.w_size;
     // The exact time is toi + rest. |c|^2 falls by 2 approach a time. That is off by slope_error and by what `approach`
     // itself changes; `approach_error` below asks for less than kSmall of it in all. c is longer than the distance by
     // their difference at the parameters' own errors; that is less than found.error, too.
@@ -286,62 +230,13 @@ class EuclideanEntry {
     // How far c . u and c . w, for parameters that move at their rates, may be from 0 at the exact time. Their first
     // derivatives for fixed parameters are at most 3 speed (U + C). Their second ones are at most 6 speed^2 and,
     // because u and w change while the parameters move, 12 (|s'| + |q'|) speed (U + W). The rates' own roundings are
-    // relative to the first derivatives. The velocity's part 2 e S, times h <= e, is far below kPreciseError S.
+    // relative to the first derivatives. The velocity's part 2 e S, times h <= e, is far below kClosestError S.
     constexpr double kRateError = 0x1p-40;
     const double drift = 4 * speed * (rest_error + kRateError * h);
     const double bend = 8 * h * h * speed * speed + 8 * h * shift * speed * (u_size + w_size);
-    const double cu_error = drift * (u_size + c_size) + bend + kPreciseError * step_.size * (c_size + u_size);
-    const double cw_error = drift * (w_size + c_size) + bend + kPreciseError * step_.size * (c_size + w_size);
-    double cu_most = std::fabs(found.cu) + cu_error;
-    double cw_most = std::fabs(found.cw) + cw_error;
-    // Whether a squared length is that of an edge which neither the time h nor roundings change by more than 2^-38.
-    const auto is_long = [h, speed](double square, double size) {
-      constexpr double kLong = 0x1p80;
-      return square >= kLong * (16 * h * h * speed * speed) && square * kLong >= size * size;
-    };
-    double ds = 0, dq = 0;  // how far the parameters may be from those of the exact time
-    double longer = 0;      // at least as much as |c|^2 may exceed the squared distance for that
-    constexpr double kSolveReserve = 4;
-    switch (free) {
-      case Free::none: break;
-      case Free::s:
-        if (!is_long(found.uu, u_size)) return Outcome::uncertain;
-        ds = kSolveReserve * cu_most / found.uu;
-        longer = ds * cu_most;
-        break;
-      case Free::q:
-        if (!is_long(found.ww, w_size)) return Outcome::uncertain;
-        dq = kSolveReserve * cw_most / found.ww;
-        longer = dq * cw_most;
-        break;
-      case Free::sum: {
-        if (!is_long(found.ee, u_size + w_size)) return Outcome::uncertain;
-        const double most = std::fabs(found.difference) + cu_error + cw_error;
-        ds = dq = kSolveReserve * most / found.ee;
-        longer = ds * most;
-        break;
-      }
-      case Free::both: {
-        // Changes by 2^-38 of the lengths, and roundings, change a determinant of this size by less than a tenth.
-        const double determinant = found.uu * found.ww - found.uw * found.uw;
-        if (!is_long(found.uu, u_size) || !is_long(found.ww, w_size)) return Outcome::uncertain;
-        if (!(determinant >= 0x1p-24 * found.uu * found.ww)) return Outcome::uncertain;
-        // The rates solve a system of two equations by Cramer's rule. Let A be u^2 w^2 / determinant, F and G the first
-        // derivatives of c . u and c . w: F <= 3 speed (U + C), off by 16 e F, and G likewise. The products and the
-        // difference are off by 5 e, the determinant by 4 e A of its size. Put into the first equation, the rates leave
-        // less than (2 (16 e + 5 e) A + 8 e A^2) (F + G |u| / |w|), and into the second the same with u for w.
-        const double amplified = found.uu * found.ww / determinant;
-        const double left = 64 * kUnit * amplified * amplified * 3 * speed * h;
-        const double ratio = std::sqrt(found.uu / found.ww);
-        const double first = left * (u_size + c_size), second = left * (w_size + c_size);
-        cu_most += first + second * ratio;
-        cw_most += second + first / ratio;
-        ds = kSolveReserve * (cu_most * found.ww + cw_most * std::fabs(found.uw)) / determinant;
-        dq = kSolveReserve * (cw_most * found.uu + cu_most * std::fabs(found.uw)) / determinant;
-        longer = ds * cu_most + dq * cw_most;
-        break;
-      }
-    }
+    const double cu_error = drift * (u_size + c_size) + bend + kClosestError * step_.size * (c_size + u_size);
+    const double cw_error = drift * (w_size + c_size) + bend + kClosestError * step_.size * (c_size + w_size);
+    const auto [ds, dq, longer] = parameter_error(found, free, h, cu_error, cw_error);
     constexpr double kMostError = 0x1p-52;  // leaves room for roundings below 2^-50
     if (!(ds <= kMostError && dq <= kMostError)) return Outcome::uncertain;
     if (!(longer <= found.error)) return Outcome::uncertain;
@@ -383,7 +278,7 @@ class EuclideanEntry {
 
   /// The elements are perhaps within the separation at t = 0.
   Outcome starts_within(const StepAt& start) noexcept {
-    const ClosestPoints found = refine(0, closest_at(start));
+    const ClosestPoints found = closest_points(step_, precise_, distance_, 0, closest_at(start));
     if (!found.ok || !allowed(found) || !(found.excess < -found.error)) return Outcome::uncertain;
     const Vector velocity = velocity_of(found);
     const double approach = -dot(found.c, velocity);

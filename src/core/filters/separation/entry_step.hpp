@@ -141,6 +141,7 @@ struct Step {
   Domain domain;
   Vector r[2], u[2], w[2];           ///< at both ends
   Vector r_slope, u_slope, w_slope;  ///< the ends' differences
+  double u_size, w_size;             ///< U and W, their largest absolute coordinates
   double size;                       ///< S
   double speed;                      ///< the sum of the slopes' largest absolute coordinates
 
@@ -152,8 +153,9 @@ struct Step {
       u[end] = difference(x, d.u);
       w[end] = difference(x, d.w);
     }
-    size = std::max(largest_of(r[0]), largest_of(r[1])) + std::max(largest_of(u[0]), largest_of(u[1])) +
-           std::max(largest_of(w[0]), largest_of(w[1]));
+    u_size = std::max(largest_of(u[0]), largest_of(u[1]));
+    w_size = std::max(largest_of(w[0]), largest_of(w[1]));
+    size = std::max(largest_of(r[0]), largest_of(r[1])) + u_size + w_size;
     r_slope = r[1] - r[0];
     u_slope = u[1] - u[0];
     w_slope = w[1] - w[0];
