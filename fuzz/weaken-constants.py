@@ -173,9 +173,12 @@ FAULTS = [
 # The same for questions with a separation. Where a bound is a sum, one of its parts can be hidden behind the others:
 # then the part becomes negative here, or is taken off by more than it adds.
 #
-# No attack finds these yet: kPreciseError, kMostError and kSolveReserve of entry.cpp, 16 times too small; its limits of
-# sizes and kLeastFraction; its errors of rates, and `lowest`, which strictly_closest hides; kPreciseError and the
-# margin of other corners of max_entry.cpp; the underflow guards of a direction with a norm. They have no line below.
+# Without a line below, as no search comes near them: they leave more room than a sixteenth of them takes up.
+# - kSolveReserve, kMostError, kRateError and the determinant's `left` of entry.cpp: reserves over terms of some e;
+# - kLeastFraction: the squares of c's errors would count from 2^-100 on; the factor of `lowest`: for 2^-32 of a number
+#   that is itself about the error;
+# - the margin of other corners of max_entry.cpp: 128 e, of which the facets that need it use at most 2;
+# - kGreatestSize: what overflows leaves no comparison true; kLeastNormal of a direction's gap: kLeastProduct has room.
 SEPARATION_FAULTS = [
     ("greatest norm of n's middle coefficient", "filters/coplanarity_form.hpp", "(Euclidean ? 0.25 : 0.5) * norm(n[1])",
      "(Euclidean ? 0.25 / 16 : 0.5 / 16) * norm(n[1])"),
@@ -203,8 +206,19 @@ SEPARATION_FAULTS = [
     ("margin of a facet's other axes", "filters/separation/max_entry.cpp",
      "level - kError * (step_.size + step_.speed + level)",
      "level + kError * (step_.size + step_.speed + level)"),
-    ("bend of a facet's parameters", "filters/separation/max_entry.cpp", "at_root.s += fraction * ds;",
-     "at_root.s += ds;"),
+    ("bend of a facet's parameters", "filters/separation/max_entry.cpp", "at_root.s += fraction * ds;", "at_root.s += ds;"),
+    # Their roundings are many, and at their worst for no input that is known: the errors found are a 140th and a
+    # thousandth of them.
+    ("kClosestError", "filters/separation/closest_points.hpp", "kClosestError = 2048 *", "kClosestError = -16 *"),
+    ("kFacetError", "filters/separation/precise_facet.hpp", "kFacetError = 2048 *", "kFacetError = 2048 / 4096.0 *"),
+    ("the least product at the corners", "filters/separation/closest_points.hpp", "at_t.lowest = lowest_at_corners",
+     "at_t.lowest = 0 * lowest_at_corners"),
+    ("least size for closest points", "filters/separation/entry_step.hpp", "kLeastSize = 0x1p-150",
+     "kLeastSize = 0x1p-500"),
+    ("underflow guard of a direction's norm", "filters/separation/entry_walk.hpp",
+     " || largest_of(n) >= 0.5 * kLeastFraction * step.size;", " || true;"),
+    ("underflow guard of a direction's square", "filters/apart/separating_direction.cpp",
+     "if (!(square >= kLeastSquare)) return false;", ""),
     ("parameters' distance from a border", "filters/separation/entry.cpp", "if (!strictly_closest(",
      "if (false && !strictly_closest("),
 ]

@@ -8,7 +8,9 @@
 #include "filters/apart/same_side.hpp"
 #include "filters/apart/separating_direction.hpp"
 #include "filters/frame_case.hpp"
+#include "filters/separation/closest_points.hpp"
 #include "filters/separation/entry_walk.hpp"
+#include "filters/separation/precise_facet.hpp"
 #include "support/catch.hpp"
 
 using namespace touchstone;
@@ -237,6 +239,101 @@ TEST_CASE("the middle coefficient of a direction that turns is within its bound"
       return 1 - value_of(truth - kept) / margin;
     });
     report("turn", search, 0.09);
+  }
+}
+
+TEST_CASE("the closest points in double-doubles are within their error", "[separation]") {
+  for (const bool of_excess : {true, false}) {
+    const auto ratio = [of_excess](const FrameCase& s, const std::vector<double>& x) {
+      const filters::Step step(s.query);
+      const double t = share(x[24]);
+      const filters::StepAt place = filters::bare_place(step, t);
+      filters::Parameters p = filters::closest(step.domain, place.r, place.u, place.w);
+      const filters::Vector about = filters::combined(place.r, place.u, place.w, p.s, p.q);
+      // The excess is near 0 where its error counts, and hints are off by more than doubles are.
+      const double distance = std::sqrt(geometry::dot(about, about));
+      const auto hint_near = [](double y, double change) {
+        return y > 0 && y < 1 ? std::clamp(y + std::ldexp(share(change) - 0.5, -20), 0.0, 1.0) : y;
+      };
+      p = {hint_near(p.s, x[25]), hint_near(p.q, x[26])};
+      if (!filters::of_ordinary_size(step, distance)) return std::nan("");
+      const filters::PreciseStep precise(s.query);
+      const auto found = filters::closest_points(step, precise, distance, t, p);
+      if (!found.ok) return std::nan("");
+      const Exact s_exact = Exact(found.p.s) + Exact(found.ds), q_exact = Exact(found.p.q) + Exact(found.dq);
+      const ExactPlace exact(s.query, t);
+      Exact error;
+      if (of_excess) {
+        ExactVector c;
+        for (std::size_t k = 0; k < 3; ++k) c[k] = exact.r[k] - s_exact * exact.u[k] - q_exact * exact.w[k];
+        error = Exact(found.excess) - (dot(c, c) - Exact(distance) * Exact(distance));
+      } else {
+        // The direction is c as it is computed.
+        const auto u = filters::at(precise.u, t), w = filters::at(precise.w, t);
+        auto c = filters::minus(filters::minus(filters::at(precise.r, t), p.s, u), p.q, w);
+        c = filters::minus(filters::minus(c, found.ds, u), found.dq, w);
+        ExactVector n;
+        for (std::size_t k = 0; k < 3; ++k) n[k] = Exact(c[k].high) + Exact(c[k].low);
+        error = Exact(found.lowest) - ExactPlace::least_at_corners([&](int i, int j) {
+                  return (s_exact - Exact(i)) * dot(n, exact.u) + (q_exact - Exact(j)) * dot(n, exact.w);
+                });
+        if (error.sign() < 0) return 0.0;
+      }
+      if (found.error == 0) return error.sign() == 0 ? 0.0 : std::numeric_limits<double>::infinity();
+      return over(error, found.error);
+    };
+    auto search = searched(97, 3, 20000, frame_in_range, ratio);
+    // Squares of such numbers have low parts that are no doubles, and the filter must keep its hands off.
+    Rng rng(98);
+    search_bound(search, rng, 27, -492, 0, 4, 200,
+                 [&](const std::vector<double>& x) { return ratio(FrameCase(x), x); });
+    report(of_excess ? "excess of the closest points" : "least product with their difference", search,
+           of_excess ? 0x1p-8 : 0x1p-11);
+  }
+}
+
+TEST_CASE("a facet's h in double-doubles is within its error", "[separation]") {
+  const auto ratio = [](const FrameCase& s, const std::vector<double>& x) {
+    const filters::Step step(s.query);
+    const double t = share(x[24]);
+    const auto [facet, about] = filters::FacetSearch(step.domain, filters::bare_place(step, t)).best();
+    const double distance = about * (1 + share(x[25]));
+    if (!(about > 0 && filters::of_ordinary_size(step, distance))) return std::nan("");
+    const filters::PreciseFacet found = filters::precise_facet(filters::PreciseStep(s.query), facet, t, {distance, 0});
+    const ExactPlace exact(s.query, t);
+    const auto vector = [](const ExactVector& v) { return geometry::Vector<Exact>{{v[0], v[1], v[2]}}; };
+    geometry::Vector<Exact> n = {{Exact(0), Exact(0), Exact(0)}};
+    if (facet.sort == filters::Sort::face) n[facet.axis] = Exact(1);
+    if (facet.sort == filters::Sort::edge) {
+      n = filters::axis_cross(facet.axis, filters::edge_of(facet.free, vector(exact.u), vector(exact.w)), Exact(0));
+    }
+    if (facet.sort == filters::Sort::plane) n = geometry::cross(vector(exact.u), vector(exact.w));
+    Exact h(0);
+    for (std::size_t k = 0; k < 3; ++k) {
+      if (found.sign[k] == 0) continue;
+      const Exact p = exact.r[k] - Exact(facet.s) * exact.u[k] - Exact(facet.q) * exact.w[k];
+      h = h + Exact(facet.sign) * n[k] * (p - Exact(found.sign[k]) * Exact(distance));
+    }
+    const double error = filters::kFacetError * filters::normal_size(step, facet) * (step.size + distance);
+    return over(Exact(found.h.high) + Exact(found.h.low) - h, error);
+  };
+  report("facet", searched(99, 2, 20000, frame_in_range, ratio), 0x1p-11);
+}
+
+TEST_CASE("directions keep their hands off squares that underflow", "[separation]") {
+  // Edges that cross at a distance of 2^100, and a direction between them whose squared length is no double.
+  const double apart = 0x1p100, tiny = 0x1p-545;
+  Query query;
+  query.start = {Vec3{-1, 0, 0}, {1, 0, 0}, {0, -1, apart}, {0, 1, apart}};
+  query.end = query.start;
+  const Separation farther = {2 * apart, Metric::euclidean}, nearer = {0.5 * apart, Metric::euclidean};
+  for (const double length : {1.0, tiny}) {
+    const filters::Vector n = {{0, 0, length}};
+    const filters::Step step(query);
+    CHECK_FALSE(filters::Direction(step, n, farther).clear_at(0));
+    CHECK_FALSE(filters::separates_by(filters::relative_corners(query), n, farther));
+    CHECK(filters::Direction(step, {{0, 0, apart * length}}, nearer).clear_at(0) == (length == 1));
+    CHECK(filters::separates_by(filters::relative_corners(query), n, nearer) == (length == 1));
   }
 }
 

@@ -27,7 +27,7 @@ struct ClosestPoints {
   double excess;          ///< |c|^2 - d^2
   double cu, cw;          ///< c . u and c . w; about 0 along free parameters
   double difference;      ///< c . w - c . u
-  double lowest;          ///< the least c . (corner - c) over the corners
+  double lowest;          ///< the least c . (corner - c) over the corners, for the direction c that is computed
   double error;           ///< of the excess and of `lowest`
   Vector u, w;            ///< rounded
   double uu, ww, uw;
@@ -62,8 +62,24 @@ inline Parameters changes_of_free(const ClosestPoints& at_t, Free free, double c
   return {0, 0};
 }
 
+/// Whether the corrected parameters are those of points of the elements: free ones are inside by more than the
+/// corrections. Those are at most 2^-20 each, so a free weight stays 2^-20 or more from 0 and 1, also the one that both
+/// correct.
+inline bool are_inside(Domain domain, Free free, const Parameters& p) noexcept {
+  constexpr double kMargin = 0x1p-18;
+  const auto inside = [](double x) { return x >= kMargin && x <= 1 - kMargin; };
+  switch (free) {
+    case Free::none: return true;
+    case Free::s: return inside(p.s);
+    case Free::q: return inside(p.q);
+    case Free::sum: return inside(p.s) && inside(p.q) && p.s + p.q == 1;
+    case Free::both: return inside(p.s) && inside(p.q) && (domain == Domain::square || inside(p.s + p.q));
+  }
+  return false;
+}
+
 /// At most the least of c . (corner - c), where corner (i, j) - c is (s - i) u + (q - j) w. It is a sum of products
-/// that are not positive, so nothing cancels. A weight that is not 0 or 1 is at least 2^-20 (see `allowed` in entry.cpp)
+/// that are not positive, so nothing cancels. A weight that is not 0 or 1 is at least 2^-20 (see `are_inside`)
 /// and off by at most 2 e = 2^-52, so each product is off by less than a 2^-32nd part.
 inline double lowest_at_corners(Domain domain, const ClosestPoints& at_t) noexcept {
   const double s = at_t.p.s + at_t.ds, q = at_t.p.q + at_t.dq;
@@ -81,7 +97,7 @@ inline double lowest_at_corners(Domain domain, const ClosestPoints& at_t) noexce
 }
 
 /// The closest points at t near the parameters p, made exact enough by one of Newton's steps towards c . u = c . w = 0;
-/// not `ok` where it leads too far, and where c is too short.
+/// not `ok` where it leads too far, where c is too short, and where a free parameter is at a border.
 /// @param distance  d
 inline ClosestPoints closest_points(const Step& step, const PreciseStep& precise, double distance, double t,
                                     const Parameters& p) noexcept {
@@ -116,7 +132,7 @@ inline ClosestPoints closest_points(const Step& step, const PreciseStep& precise
   at_t.difference = rounded(cw - cu);
   at_t.lowest = lowest_at_corners(step.domain, at_t) * (1 + 0x1p-32);
   at_t.error = kClosestError * largest_of(at_t.c) * step.size + 8 * kUnit * std::fabs(at_t.excess);
-  at_t.ok = largest_of(at_t.c) >= kLeastFraction * step.size;
+  at_t.ok = largest_of(at_t.c) >= kLeastFraction * step.size && are_inside(step.domain, free, p);
   return at_t;
 }
 

@@ -66,22 +66,6 @@ class EuclideanEntry {
     return iterate;
   }
 
-  /// The corrected parameters are those of points of the elements: free ones are inside by more than the corrections.
-  /// Those are at most 2^-20 each, so a free weight stays 2^-20 or more from 0 and 1, also the one that both correct.
-  bool allowed(const ClosestPoints& at_t) const noexcept {
-    constexpr double kMargin = 0x1p-18;
-    const Parameters& p = at_t.p;
-    const auto inside = [](double x) { return x >= kMargin && x <= 1 - kMargin; };
-    switch (free_parameters(step_.domain, p)) {
-      case Free::none: return true;
-      case Free::s: return inside(p.s);
-      case Free::q: return inside(p.q);
-      case Free::sum: return inside(p.s) && inside(p.q) && p.s + p.q == 1;
-      case Free::both: return inside(p.s) && inside(p.q) && (step_.domain == Domain::square || inside(p.s + p.q));
-    }
-    return false;
-  }
-
   /// The elements are apart up to an iterate, and come within the separation soon after it.
   Outcome enter(const StepAt& from) noexcept {
     const double estimate = from.t + from.until;
@@ -92,7 +76,7 @@ class EuclideanEntry {
     constexpr int kMostSteps = 4;
     for (int i = 0; i < kMostSteps; ++i) {
       const ClosestPoints found = closest_points(step_, precise_, distance_, toi, p);
-      if (!found.ok || !allowed(found)) return Outcome::uncertain;
+      if (!found.ok) return Outcome::uncertain;
       const Vector velocity = velocity_of(found);
       const double approach = -dot(found.c, velocity);
       if (!(approach > 0)) return Outcome::uncertain;
@@ -279,7 +263,7 @@ class EuclideanEntry {
   /// The elements are perhaps within the separation at t = 0.
   Outcome starts_within(const StepAt& start) noexcept {
     const ClosestPoints found = closest_points(step_, precise_, distance_, 0, closest_at(start));
-    if (!found.ok || !allowed(found) || !(found.excess < -found.error)) return Outcome::uncertain;
+    if (!found.ok || !(found.excess < -found.error)) return Outcome::uncertain;
     const Vector velocity = velocity_of(found);
     const double approach = -dot(found.c, velocity);
     const double speed = step_.speed;

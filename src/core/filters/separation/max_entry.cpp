@@ -24,29 +24,14 @@
 #include <cstdint>
 
 #include "filters/separation/entry_walk.hpp"
-#include "filters/separation/facet.hpp"
+#include "filters/separation/precise_facet.hpp"
 
 namespace touchstone::filters {
 namespace {
 
-// Errors in double-doubles, in units of e^2 = 2^-106. A coordinate of u(t) is off by 40 U (see entry_step.hpp), one of
-// p by 80 S, one of a by 80 S + 4 (S + d). A coordinate of n is exact for a face; off by 80 S for an edge; for a plane,
-// a difference of two products of 2 W U at most, by 2 (40 + 40 + 10) U W + 20 U W: less than 256 U W. h is a sum of
-// three products, n_k a_k. With N the largest that |n_k| may be, 1, S or 2 U W: the products are off by (256 + 84 + 10)
-// N (S + d) each at most, and the sums by 12 N (S + d): less than 1100 N (S + d) in all.
-constexpr double kPreciseError = 2048 * 0x1p-106;
-
 // Errors in doubles, in units of e = 2^-53: a coordinate of n is off by at most 16 N, of a position by 8 S. A product
 // of two such vectors is off by less than 3 (16 + 8 + 4) N S = 84 N S.
 constexpr double kError = 128 * kUnit;
-
-/// A facet at one time, in double-doubles.
-struct PreciseFacet {
-  PreciseVector n, p, a, e;  ///< e of an edge; for a plane n without its sign
-  PreciseVector r, u, w;
-  Vector sign;  ///< sigma: 1, -1 or, along axes that do not count, 0
-  DoubleDouble h;
-};
 
 class MaxEntry {
  public:
@@ -101,35 +86,6 @@ class MaxEntry {
     return combined(step_.r_slope, step_.u_slope, step_.w_slope, facet.s, facet.q);
   }
 
-  /// The largest that a coordinate of the facet's normal may be.
-  double normal_size(const Facet& facet) const noexcept {
-    return facet.sort == Sort::face ? 1 : facet.sort == Sort::edge ? step_.size : step_.size * step_.size;
-  }
-
-  /// The facet at t, against a level. The signs of n are those of the doubles nearest to it.
-  PreciseFacet precise_at(const Facet& facet, double t, const DoubleDouble& level) const noexcept {
-    PreciseFacet at_t;
-    at_t.r = at(precise_.r, t);
-    at_t.u = at(precise_.u, t);
-    at_t.w = at(precise_.w, t);
-    at_t.p = at_t.r;
-    for (std::size_t k = 0; k < 3; ++k) {
-      if (facet.s == 1) at_t.p[k] = numbers::normalised(at_t.p[k] - at_t.u[k]);
-      if (facet.q == 1) at_t.p[k] = numbers::normalised(at_t.p[k] - at_t.w[k]);
-    }
-    at_t.n = normal_of<DoubleDouble>(facet, at_t.u, at_t.w, {0, 0}, {1, 0});
-    for (DoubleDouble& x : at_t.n.c) x = numbers::normalised(x);
-    at_t.e = edge_of(facet.free, at_t.u, at_t.w);
-    at_t.h = {0, 0};
-    for (std::size_t k = 0; k < 3; ++k) {
-      const bool counts = facet.sort == Sort::plane || (facet.sort == Sort::face) == (k == facet.axis);
-      at_t.sign[k] = !counts ? 0 : rounded(at_t.n[k]) < 0 ? -1 : 1;
-      at_t.a[k] = numbers::normalised(at_t.p[k] - at_t.sign[k] * level);
-      if (counts) at_t.h = numbers::normalised(at_t.h + at_t.n[k] * at_t.a[k]);
-    }
-    return at_t;
-  }
-
   /// How fast h falls, and how far the rate may be off over a time after `at_t`. Derivatives: h' = n' . a + n . p',
   /// with |n'_k| at most 0, speed, or 4 speed S, and h'' = n'' . a + 2 n' . p'. A slope is a difference of two
   /// roundings, so it is off by e (speed + 2 S).
@@ -166,7 +122,7 @@ class MaxEntry {
     double toi = estimate;
     constexpr int kMostSteps = 4;
     for (int i = 0; i < kMostSteps; ++i) {
-      const PreciseFacet found = precise_at(facet, toi, {distance_, 0});
+      const PreciseFacet found = precise_facet(precise_, facet, toi, {distance_, 0});
       const double upper = std::nextafter(toi, 2.0);
       const Fall fall = fall_of(facet, found, upper - toi);
       if (!(fall.rate > fall.error)) return Outcome::uncertain;
@@ -185,7 +141,7 @@ class MaxEntry {
 
   Outcome conclude(const StepAt& from, const Facet& facet, double toi, double upper, const PreciseFacet& found,
                    const Fall& fall) noexcept {
-    const double error = kPreciseError * normal_size(facet) * (step_.size + distance_);
+    const double error = kFacetError * normal_size(step_, facet) * (step_.size + distance_);
     if (!(rounded(found.h) > error)) return Outcome::uncertain;
     if (!stands_alone(facet, found) || !solve(facet, found).ok) return Outcome::uncertain;
     if (toi > from.t) {
@@ -194,7 +150,7 @@ class MaxEntry {
       }
     }
     if (upper > t_max_) return Outcome::no_contact;
-    const PreciseFacet next = precise_at(facet, upper, {distance_, 0});
+    const PreciseFacet next = precise_facet(precise_, facet, upper, {distance_, 0});
     if (!(rounded(next.h) < -error)) return Outcome::uncertain;
     // h falls evenly but for a small rest, so the root is at this fraction of the time between the doubles.
     constexpr double kSmall = 0x1p-20;
@@ -211,7 +167,7 @@ class MaxEntry {
   /// 16 e N speed.
   bool stands_alone(const Facet& facet, const PreciseFacet& found) const noexcept {
     const Vector n = rounded_vector(found.n);
-    const double size = normal_size(facet);
+    const double size = normal_size(step_, facet);
     const double change = facet.sort == Sort::plane ? step_.size * step_.speed : step_.speed;
     if (facet.sort != Sort::face) {
       for (std::size_t k = 0; k < 3; ++k) {
@@ -234,7 +190,7 @@ class MaxEntry {
     bool ok;
   };
   Solution solve(const Facet& facet, const PreciseFacet& found) const noexcept {
-    // What is divided is off by less than kPreciseError times this.
+    // What is divided is off by less than kFacetError times this.
     const double reach = step_.size + distance_;
     constexpr double kMostError = 0x1p-60;
     if (facet.sort == Sort::face) return {facet.s, facet.q, 1, true};
@@ -243,7 +199,7 @@ class MaxEntry {
       if (std::fabs(rounded(found.e[k])) < std::fabs(rounded(found.e[(facet.axis + 2) % 3]))) k = (facet.axis + 2) % 3;
       const double e = rounded(found.e[k]);
       const double x = rounded(found.a[k]) / e;
-      const bool ok = kPreciseError * reach <= kMostError * std::fabs(e);
+      const bool ok = kFacetError * reach <= kMostError * std::fabs(e);
       if (facet.free == Free::sum) return {1 - x, x, std::fabs(e), ok};
       return facet.free == Free::s ? Solution{x, facet.q, std::fabs(e), ok} : Solution{facet.s, x, std::fabs(e), ok};
     }
@@ -253,7 +209,7 @@ class MaxEntry {
     const double n = facet.sign * rounded(found.n[k]);
     const double s = rounded(geometry::cross_component(found.a, found.w, k)) / n;
     const double q = rounded(geometry::cross_component(found.u, found.a, k)) / n;
-    return {s, q, std::fabs(n), kPreciseError * step_.size * reach <= kMostError * std::fabs(n)};
+    return {s, q, std::fabs(n), kFacetError * step_.size * reach <= kMostError * std::fabs(n)};
   }
 
   /// Writes the closest points at the time between `found` and `next` of which `fraction` of the time is gone, for a
@@ -314,17 +270,17 @@ class MaxEntry {
     const auto [facet, distance] = FacetSearch(step_.domain, start).best();
     if (!(distance > 0)) return Outcome::uncertain;
     // The level at which h = 0: D, if the closest points are found.
-    const PreciseFacet zero = precise_at(facet, 0, {0, 0});
+    const PreciseFacet zero = precise_facet(precise_, facet, 0, {0, 0});
     const Vector n = rounded_vector(zero.n);
     double norm = 0;
     for (std::size_t k = 0; k < 3; ++k) norm += std::fabs(n[k]);
     const double first = rounded(zero.h) / norm;
-    const PreciseFacet near = precise_at(facet, 0, {first, 0});
+    const PreciseFacet near = precise_facet(precise_, facet, 0, {first, 0});
     const double rest = rounded(near.h) / norm;
     const double level = first + rest;
     const double margin = kError * (step_.size + distance_);
     if (!(level > margin && level < distance_ - margin)) return Outcome::uncertain;
-    const PreciseFacet found = precise_at(facet, 0, numbers::two_sum(first, rest));
+    const PreciseFacet found = precise_facet(precise_, facet, 0, numbers::two_sum(first, rest));
     if (!stands_alone(facet, found)) return Outcome::uncertain;
     const Fall fall = fall_of(facet, found, 0);
     const bool still = precise_.is_still();
