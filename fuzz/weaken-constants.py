@@ -209,9 +209,9 @@ SEPARATION_FAULTS = [
     ("bend of a facet's parameters", "filters/separation/max_entry.cpp", "at_root.s += fraction * ds;", "at_root.s += ds;"),
     # Their roundings are many, and at their worst for no input that is known: the errors found are a 140th and a
     # thousandth of them.
-    ("kClosestError", "filters/separation/closest_points.hpp", "kClosestError = 2048 *", "kClosestError = -16 *"),
+    ("kClosestError", "filters/separation/precise_closest.hpp", "kClosestError = 2048 *", "kClosestError = -16 *"),
     ("kFacetError", "filters/separation/precise_facet.hpp", "kFacetError = 2048 *", "kFacetError = 2048 / 4096.0 *"),
-    ("the least product at the corners", "filters/separation/closest_points.hpp", "at_t.lowest = lowest_at_corners",
+    ("the least product at the corners", "filters/separation/precise_closest.hpp", "at_t.lowest = lowest_at_corners",
      "at_t.lowest = 0 * lowest_at_corners"),
     ("least size for closest points", "filters/separation/entry_step.hpp", "kLeastSize = 0x1p-150",
      "kLeastSize = 0x1p-500"),
@@ -237,7 +237,10 @@ MESH_FAULTS = [
      "with_room(reach.same)"),
     ("used part of the margin", "mesh/candidate_search.cpp", "kUsedMargin = 0.75", "kUsedMargin = 1.5"),
     ("margin of a kept fraction", "mesh/candidate_search.cpp", "(1 + 4 * kept_fraction_ / (1 - kept_fraction_))", "1"),
-    ("reach of a kept fraction", "mesh/candidates.cpp", "+ ratio * displacement(motion[v])", ""),
+    ("reach of a kept fraction", "mesh/candidates.cpp", "reach += more;", ""),
+    ("greatest radius and greatest way of an element", "mesh/candidates.cpp",
+     "more = std::max(more, reach_.of_ways[corner]);",
+     "reach = std::max(reach, reach_.of_ways[corner] + reach_.of_vertices[corner]);"),
     ("pieces that meet", "mesh/inside.cpp", "if (a != b) pairs.insert({{a, b}, {b, a}});", ""),
 ]
 

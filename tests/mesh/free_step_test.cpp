@@ -319,3 +319,22 @@ TEST_CASE("one thread and several take the same step") {
     }
   }
 }
+
+TEST_CASE("a kept fraction: the thick vertex of an element rests, and the thin one moves") {
+  for (const double fraction : {0.3, 0.5, 0.8}) {
+    MeshElements elements;
+    elements.vertex_count = 3;
+    elements.edges = {{0, 1}};
+    elements.points = {{2}};
+    elements.radii = {1, 0, 0};
+    // The separation is 1. The edge's end comes within `near` of the point, which began at the distance 2.9.
+    const double near = 1.9, kept = 1 + fraction * (2.9 - 1);
+    const std::vector<double> x0 = {-10, 0, 0, 0, 0, 0, 2.9, 0, 0}, x1 = {-10, 0, 0, 2.9 - near, 0, 0, 2.9, 0, 0};
+    FreeStepOptions options;
+    options.kept_fraction = fraction;
+    const FreeStep step = free_step(Mesh(elements), {x0, 3}, {x1, 3}, options);
+    CAPTURE(fraction, step.length);
+    CHECK(step.outcome == (kept < near ? StepOutcome::whole : StepOutcome::shortened));
+    if (kept > near) CHECK(std::fabs(step.length - (2.9 - kept)) < 1e-3);
+  }
+}

@@ -53,13 +53,15 @@ class Boxes {
   template <std::size_t N>
   MovingBox around(const std::array<Index, N>& corners) const noexcept {
     MovingBox box = broad_phase::empty_moving_box();
-    double reach = reach_.same;
+    double reach = reach_.same, more = 0;
     for (const Index corner : corners) {
       const MovingVertex& vertex = motion_[corner];
       broad_phase::extend(box.start, vertex.start);
       if (!reach_.at_rest) broad_phase::extend(box.end, vertex.end);
       if (!reach_.of_vertices.empty()) reach = std::max(reach, reach_.of_vertices[corner]);
+      if (!reach_.of_ways.empty()) more = std::max(more, reach_.of_ways[corner]);
     }
+    reach += more;
     if (reach_.at_rest) box.end = box.start;
     broad_phase::grow(box.start, reach);
     broad_phase::grow(box.end, reach);
@@ -160,11 +162,15 @@ Reach reach_of_separations(const Mesh::Impl& mesh) {
 // lost for what it is to keep exactly, but one may be for what that is rounded to.
 Reach reach_of_fraction(const Mesh::Impl& mesh, const Motion& motion, double fraction) {
   Reach reach = reach_of_separations(mesh);
-  if (reach.of_vertices.empty()) reach.of_vertices.assign(motion.size(), reach.same);
+  // At least the least normal number: what is rounded up by some doubles among the subnormal ones is below that.
+  const auto with_more_room = [](double length) {
+    return std::max(with_room(length * (1 + kRoomOfBounds)), std::numeric_limits<double>::min());
+  };
+  reach.same = with_more_room(reach.same);
+  for (double& one : reach.of_vertices) one = with_more_room(one);
   const double ratio = fraction / (1 - fraction);
-  for (std::size_t v = 0; v < motion.size(); ++v) {
-    reach.of_vertices[v] = with_room((reach.of_vertices[v] + ratio * displacement(motion[v])) * (1 + kRoomOfBounds));
-  }
+  reach.of_ways.reserve(motion.size());
+  for (const MovingVertex& vertex : motion) reach.of_ways.push_back(with_more_room(ratio * displacement(vertex)));
   return reach;
 }
 

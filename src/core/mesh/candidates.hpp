@@ -21,7 +21,11 @@ inline void check_stop(const std::atomic<bool>* stop) {
 struct Reach {
   double same = 0;                  ///< beyond each element, on all sides
   std::vector<double> of_vertices;  ///< in place of it: an element's is the greatest of its vertices'; empty without
-  bool at_rest = false;             ///< boxes around the positions at t = 0 alone, instead of moving ones
+
+  /// Beyond that. The greatest of an element's vertices counts by itself: another one than in the list above may have
+  /// it. Empty without.
+  std::vector<double> of_ways;
+  bool at_rest = false;  ///< boxes around the positions at t = 0 alone, instead of moving ones
 };
 
 /// The reach that finds every pair whose distance falls to its separation or below.
