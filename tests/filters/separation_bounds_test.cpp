@@ -8,8 +8,8 @@
 #include "filters/apart/same_side.hpp"
 #include "filters/apart/separating_direction.hpp"
 #include "filters/frame_case.hpp"
-#include "filters/separation/closest_points.hpp"
 #include "filters/separation/entry_walk.hpp"
+#include "filters/separation/precise_closest.hpp"
 #include "filters/separation/precise_facet.hpp"
 #include "support/catch.hpp"
 
@@ -258,7 +258,7 @@ TEST_CASE("the closest points in double-doubles are within their error", "[separ
       p = {hint_near(p.s, x[25]), hint_near(p.q, x[26])};
       if (!filters::of_ordinary_size(step, distance)) return std::nan("");
       const filters::PreciseStep precise(s.query);
-      const auto found = filters::closest_points(step, precise, distance, t, p);
+      const auto found = filters::precise_closest(step, precise, distance, t, p);
       if (!found.ok) return std::nan("");
       const Exact s_exact = Exact(found.p.s) + Exact(found.ds), q_exact = Exact(found.p.q) + Exact(found.dq);
       const ExactPlace exact(s.query, t);

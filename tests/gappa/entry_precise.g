@@ -1,9 +1,9 @@
-# kPreciseError of entry.cpp and of max_entry.cpp: sums and products of double-doubles near an entry. As in
-# contact_components.g, a double-double is high + e low; high parts' sums and products are exact pairs.
+# kClosestError of precise_closest.hpp and kFacetError of precise_facet.hpp: sums and products of double-doubles near an
+# entry. As in contact_components.g, a double-double is high + e low; high parts' sums and products are exact pairs.
 # SPDX-License-Identifier: MIT
 # constant kUnit src/core/filters/coplanarity_form.hpp
-# between kEuclidean src/core/filters/separation/entry.cpp |constexpr double kPreciseError = |;|
-# between kLargestAxis src/core/filters/separation/max_entry.cpp |constexpr double kPreciseError = |;|
+# between kEuclidean src/core/filters/separation/precise_closest.hpp |constexpr double kClosestError = |;|
+# between kLargestAxis src/core/filters/separation/precise_facet.hpp |constexpr double kFacetError = |;|
 # constant kLeastFraction src/core/filters/separation/entry_step.hpp
 # constant kLeastSize src/core/filters/separation/entry_step.hpp
 # not with kEuclidean: 700 * 0x1p-106

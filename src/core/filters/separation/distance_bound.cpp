@@ -8,17 +8,17 @@
 namespace touchstone::filters {
 namespace {
 
-// Let e = 2^-53, and c = r - s u - q w for the parameters s and q that `closest` gives, made to be in their domain: c is
-// the difference of a point of each element, so |c| is at least the distance. Each coordinate of r, u and w is a
-// difference of doubles, with a relative error of e. The products and sums add an error of 3 e |s u| + 3 e |q w| and
-// e |r| at most, and 1 - s, by which q is bounded, one of e. So each coordinate of the computed c is off by less than
-// 6 e (|r| + |u| + |w|), and |c| by less than 6 e S, where S is the sum of these over the axes. The rest of the constant
-// covers the errors of the root, of S and of the last sum.
+// Let e = 2^-53, and c = r - s u - q w for the parameters s and q that `closest` gives, made to be in their domain: c
+// is the difference of a point of each element, so |c| is at least the distance. Each coordinate of r, u and w is a
+// difference of doubles, with a relative error of e. Differences, products and sums make errors of 4 e |u|, 3 e |w| and
+// 3 e |r| at most, but for terms of second order, and 1 - s, by which q is bounded, one of e |w|. So each coordinate of
+// the computed c is off by less than 6 e (|r| + |u| + |w|), and |c| by less than 6 e S, where S is the sum of these over
+// the axes. The rest of the constant covers the errors of the root, of S and of the last sum.
 constexpr double kBoundError = 10 * 0x1p-53;
 
 // Parts of |c| that the error, and what |c| is above the distance, may have. The distance is at least the product of
 // c / |c| with the difference of any two points, so at least its least value at corners, m = c (r - s u - q w). Both m
-// and |c|^2 are computed with errors below 8 e S |c|, which is less than kLargestError |c|^2 where the first test holds.
+// and |c|^2 are computed with errors below 8 e S |c|, which is less than kLargestError |c|^2 if the first test holds.
 // So |c| (1 - 2 kLargestError - kLargestGap) is below the distance, and the bound is at most
 // |c| (1 + kLargestError): their quotient is below 1 + kLoosestBound.
 constexpr double kLargestError = 0x1p-23;

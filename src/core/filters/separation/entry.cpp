@@ -24,9 +24,9 @@
 #include <cmath>
 #include <limits>
 
-#include "filters/separation/closest_points.hpp"
 #include "filters/separation/entry_walk.hpp"
 #include "filters/separation/max_entry.hpp"
+#include "filters/separation/precise_closest.hpp"
 
 namespace touchstone::filters {
 namespace {
@@ -75,7 +75,7 @@ class EuclideanEntry {
     double toi = estimate;
     constexpr int kMostSteps = 4;
     for (int i = 0; i < kMostSteps; ++i) {
-      const ClosestPoints found = closest_points(step_, precise_, distance_, toi, p);
+      const PreciseClosest found = precise_closest(step_, precise_, distance_, toi, p);
       if (!found.ok) return Outcome::uncertain;
       const Vector velocity = velocity_of(found);
       const double approach = -dot(found.c, velocity);
@@ -94,11 +94,11 @@ class EuclideanEntry {
     return Outcome::uncertain;
   }
 
-  Vector velocity_of(const ClosestPoints& found) const noexcept {
+  Vector velocity_of(const PreciseClosest& found) const noexcept {
     return combined(step_.r_slope, step_.u_slope, step_.w_slope, found.p.s + found.ds, found.p.q + found.dq);
   }
 
-  Outcome conclude(const StepAt& from, double toi, double upper, const ClosestPoints& found,
+  Outcome conclude(const StepAt& from, double toi, double upper, const PreciseClosest& found,
                    const Vector& velocity) noexcept {
     const double length = std::sqrt(dot(found.c, found.c));
     // D > d up to toi. For n = c, |n|^2 - d |n| = |n| / (|n| + d) (|n|^2 - d^2).
@@ -122,7 +122,7 @@ class EuclideanEntry {
 
   /// How fast the free parameters move, from c . u = 0 and c . w = 0 at all times: the derivative of c for fixed
   /// parameters is the velocity.
-  Parameters rates(const ClosestPoints& found, const Vector& velocity, Free free) const noexcept {
+  Parameters rates(const PreciseClosest& found, const Vector& velocity, Free free) const noexcept {
     const double u = dot(velocity, found.u) + dot(found.c, step_.u_slope);
     const double w = dot(velocity, found.w) + dot(found.c, step_.w_slope);
     return changes_of_free(found, free, u, w, u - w);
@@ -135,7 +135,7 @@ class EuclideanEntry {
   };
   /// @param h         the time between the neighbouring doubles
   /// @param cu_error  how far c . u may be from 0 for a free s at the exact time, beyond found.cu; likewise cw_error
-  ParameterError parameter_error(const ClosestPoints& found, Free free, double h, double cu_error,
+  ParameterError parameter_error(const PreciseClosest& found, Free free, double h, double cu_error,
                                  double cw_error) const noexcept {
     constexpr double kUnknown = std::numeric_limits<double>::infinity();
     constexpr double kSolveReserve = 4;
@@ -191,7 +191,7 @@ class EuclideanEntry {
 
   /// The answer, once the exact time is known to lie in [toi, upper], where h = upper - toi and the velocity is that of
   /// c.
-  Outcome describe(double toi, double upper, double h, const ClosestPoints& found, const Vector& velocity,
+  Outcome describe(double toi, double upper, double h, const PreciseClosest& found, const Vector& velocity,
                    double approach, double slope_error, Nature nature) noexcept {
     const double speed = step_.speed;
     const double c_size = largest_of(found.c);
@@ -250,7 +250,7 @@ class EuclideanEntry {
   }
 
   /// Whether moving a parameter off its border certainly takes the points apart, to first order.
-  bool strictly_closest(const ClosestPoints& found, Free free, double cu_error, double cw_error) const noexcept {
+  bool strictly_closest(const PreciseClosest& found, Free free, double cu_error, double cw_error) const noexcept {
     bool strictly = true;
     for_each_multiplier(step_.domain, free, found.p, [&](int i, int j) {
       const bool of_both = (i != 0 && j != 0) || free == Free::sum;
@@ -262,7 +262,7 @@ class EuclideanEntry {
 
   /// The elements are perhaps within the separation at t = 0.
   Outcome starts_within(const StepAt& start) noexcept {
-    const ClosestPoints found = closest_points(step_, precise_, distance_, 0, closest_at(start));
+    const PreciseClosest found = precise_closest(step_, precise_, distance_, 0, closest_at(start));
     if (!found.ok || !(found.excess < -found.error)) return Outcome::uncertain;
     const Vector velocity = velocity_of(found);
     const double approach = -dot(found.c, velocity);

@@ -20,7 +20,7 @@ constexpr double kClosestError = 2048 * 0x1p-106;
 // The gradient along a parameter is P . u, with P the true difference: c is off by 80 e^2 S in each coordinate, so the
 // gradient by another 240 e^2 S U. The bound above covers it with S in place of C.
 
-struct ClosestPoints {
+struct PreciseClosest {
   Parameters p;           ///< s and q, whose corrections are left out
   double ds = 0, dq = 0;  ///< the corrections
   Vector c;               ///< rounded
@@ -44,7 +44,7 @@ inline PreciseVector minus(const PreciseVector& v, double factor, const PreciseV
 
 /// The changes of the free parameters that change c . u by -cu and c . w by -cw.
 /// @param difference  cu - cw, which may cancel
-inline Parameters changes_of_free(const ClosestPoints& at_t, Free free, double cu, double cw,
+inline Parameters changes_of_free(const PreciseClosest& at_t, Free free, double cu, double cw,
                                   double difference) noexcept {
   switch (free) {
     case Free::none: break;
@@ -81,7 +81,7 @@ inline bool are_inside(Domain domain, Free free, const Parameters& p) noexcept {
 /// At most the least of c . (corner - c), where corner (i, j) - c is (s - i) u + (q - j) w. It is a sum of products
 /// that are not positive, so nothing cancels. A weight that is not 0 or 1 is at least 2^-20 (see `are_inside`)
 /// and off by at most 2 e = 2^-52, so each product is off by less than a 2^-32nd part.
-inline double lowest_at_corners(Domain domain, const ClosestPoints& at_t) noexcept {
+inline double lowest_at_corners(Domain domain, const PreciseClosest& at_t) noexcept {
   const double s = at_t.p.s + at_t.ds, q = at_t.p.q + at_t.dq;
   const auto on_edge = [](double x, double slope) { return slope > 0 ? -(1 - x) * slope : x * slope; };
   switch (domain) {
@@ -99,9 +99,9 @@ inline double lowest_at_corners(Domain domain, const ClosestPoints& at_t) noexce
 /// The closest points at t near the parameters p, made exact enough by one of Newton's steps towards c . u = c . w = 0;
 /// not `ok` where it leads too far, where c is too short, and where a free parameter is at a border.
 /// @param distance  d
-inline ClosestPoints closest_points(const Step& step, const PreciseStep& precise, double distance, double t,
-                                    const Parameters& p) noexcept {
-  ClosestPoints at_t;
+inline PreciseClosest precise_closest(const Step& step, const PreciseStep& precise, double distance, double t,
+                                      const Parameters& p) noexcept {
+  PreciseClosest at_t;
   at_t.p = p;
   const PreciseVector r = at(precise.r, t), u = at(precise.u, t), w = at(precise.w, t);
   at_t.u = rounded_vector(u);
