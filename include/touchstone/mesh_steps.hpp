@@ -17,11 +17,12 @@ inline namespace TOUCHSTONE_ABI {
 ///
 /// The pairs of a step are found when a second question is much like it: all vertices start within a margin of where
 /// they started in that step, and end within the margin of where they were after a fraction s of at least 1/2 of it, one
-/// s for all vertices. From then on they are kept, for every s, until a question is not like that step. The margin is
-/// 1/16 of the mean length of an edge.
+/// s for all vertices. From then on they are kept, for every s, until a question is not like that step, or has another
+/// kept_fraction. The margin is 3/64 of the mean length of an edge, along each axis; a mesh without edges has next to
+/// none, and keeps pairs for the same way only. Nothing is kept for a kept_fraction beyond 0.9.
 ///
-/// It holds 96 bytes for each vertex and 8 for each pair that is kept, of which there are at most 64 for each vertex and
-/// edge. One object is used by one thread at a time; MeshOptions::threads says how many work on a question.
+/// It holds 96 bytes for each vertex and up to 16 for each pair that is kept, of which there are at most 64 for each
+/// vertex and edge. One object is used by one thread at a time; MeshOptions::threads says how many work on a question.
 class MeshSteps {
  public:
   /// @param mesh  the mesh; a copy of it is kept, which is cheap

@@ -169,3 +169,26 @@ TEST_CASE("kept steps: mistakes and stops leave them as they were") {
   steps = MeshSteps{Mesh()};
   CHECK(steps.first_contact(Positions(), Positions()).free());
 }
+
+TEST_CASE("kept steps: positions so small that products underflow") {
+  constexpr double kUnit = 0x1p-1074;
+  MeshElements elements;
+  elements.vertex_count = 3;
+  MeshSteps steps{Mesh(elements)};
+  std::vector<double> x0 = {1, 0, 0, -1, -1, 0, 0, 0, 0}, far = {1, 0, 0, 2, 1, 0, 0, 0, 10};
+  std::vector<double> x1 = {1, 0, 0, 1, 0, 0, 0, 0, 5};
+  for (auto* x : {&x0, &far, &x1}) {
+    for (double& one : *x) one *= kUnit;
+  }
+  for (int i = 0; i < 2; ++i) CHECK(steps.first_contact({x0, 3}, {far, 3}).free());
+  CHECK(steps.first_contact({x0, 3}, {x1, 3}).toi == 1);
+
+  // Two points that rest a unit apart: what a fraction keeps is rounded to more than that.
+  const std::vector<double> at_rest = {0, 0, 0, kUnit, 0, 0, 1, 0, 0};
+  FreeStepOptions options;
+  options.kept_fraction = 0.5;
+  for (int i = 0; i < 3; ++i) {
+    CHECK(same_bytes(steps.free_step({at_rest, 3}, {at_rest, 3}, options),
+                     free_step(steps.mesh(), {at_rest, 3}, {at_rest, 3}, options)));
+  }
+}

@@ -27,7 +27,7 @@ MovingBox empty_moving_box() noexcept;
 /// Extends `box` so that it contains the other box at all times.
 void join(MovingBox& box, const MovingBox& other) noexcept;
 
-/// False proves that the boxes are disjoint at all times in [0, until], 0 <= until <= 1.
+/// False proves that the boxes are disjoint at all times in [0, until], until <= 1. It is false where until <= -1.
 bool meet(const MovingBox& a, const MovingBox& b, double until = 1) noexcept;
 
 /// A binary tree over boxes. The boxes of a node are near each other at both ends of the step.

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <limits>
 #include <new>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -18,6 +19,7 @@ void free_array(void* memory, std::size_t bytes) noexcept;
 template <class T>
 struct ArrayAllocator {
   using value_type = T;
+  static_assert(alignof(T) <= __STDCPP_DEFAULT_NEW_ALIGNMENT__);
 
   ArrayAllocator() = default;
   template <class U>
@@ -29,9 +31,9 @@ struct ArrayAllocator {
   }
   void deallocate(T* memory, std::size_t count) noexcept { free_array(memory, count * sizeof(T)); }
 
-  /// Elements without a value are not set to zero: they are written before they are read.
+  /// Elements of plain types are not set to zero: they are written before they are read.
   template <class U>
-  void construct(U* at) noexcept {
+  void construct(U* at) noexcept(std::is_nothrow_default_constructible_v<U>) {
     ::new (static_cast<void*>(at)) U;
   }
   template <class U, class... Arguments>

@@ -16,12 +16,13 @@ using broad_phase::Pair;
 
 constexpr double Vec3::*kAxes[3] = {&Vec3::x, &Vec3::y, &Vec3::z};
 
-/// The margin as a fraction of the mean length of an edge: steps of a simulation are a small part of it, and the candidates
-/// are hardly more.
+/// The margin as a fraction of the mean length of an edge: steps of a simulation are a small part of it, and the
+/// candidates are hardly more.
 constexpr double kMarginOfEdge = 0x1p-4;
 
-/// The margin as a fraction of the largest coordinate, at least. A coordinate y(s) of the reference is computed with two
-/// products and sums of relative error 2^-53 each, so it is off by less than 2^-50 of that coordinate.
+/// The margin as a fraction of the largest coordinate, at least. A coordinate y(s) of the reference is computed with
+/// products and sums of relative error 2^-53 each, so it is off by less than 2^-50 of that coordinate, but for
+/// underflow.
 constexpr double kLeastMargin = 0x1p-40;
 
 /// Motions are compared with this fraction of the margin: the rest covers the errors of y(s) and of the comparison.
@@ -97,7 +98,8 @@ void CandidateSearch::refer_to(const Motion& motion, double kept_fraction) {
       along_ = axis;
     }
   }
-  if (!motion.empty() && std::isfinite(margin_)) state_ = State::without_lists;
+  // Beside a margin that is a normal number, no underflow counts.
+  if (std::isfinite(margin_) && margin_ >= std::numeric_limits<double>::min()) state_ = State::without_lists;
 }
 
 /// Fills the lists, unless there are too many candidates.

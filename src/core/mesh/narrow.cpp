@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <memory>
+#include <utility>
 
 #include <touchstone/distance.hpp>
 #include <touchstone/solve.hpp>
@@ -30,7 +30,15 @@ ColumnBlock::ColumnBlock() {
 }
 
 ColumnBlock& ColumnBlock::of_thread(Kind kind) {
-  thread_local const std::unique_ptr<ColumnBlock> block(new ColumnBlock);
+  // Null before the first call, and after the thread's objects have gone: destructors of static objects may ask too.
+  thread_local ColumnBlock* block = nullptr;
+  struct Release {
+    ~Release() { delete std::exchange(block, nullptr); }
+  };
+  if (block == nullptr) {
+    block = new ColumnBlock;
+    thread_local const Release release;
+  }
   block->columns_.kind = kind;
   block->clear();
   return *block;
