@@ -27,7 +27,7 @@ TEST_CASE("answers are those of the library, for any number of threads and any c
   CAPTURE(kSeed);
   const TemporaryFolder folder;
   std::string expected(io::kAnswerHeader);
-  cli::SolveOptions options;
+  cli::SolveCommandOptions options;
   for (const Kind kind : kKinds) {
     const SampleFile sample = sample_file(kind, kSeed, 2);
     options.files.push_back(folder.write(std::string(name_of(kind)) + "/a.csv", sample.text));

@@ -247,7 +247,7 @@ TEST_CASE("the closest points in double-doubles are within their error", "[separ
     const auto ratio = [of_excess](const FrameCase& s, const std::vector<double>& x) {
       const filters::Step step(s.query);
       const double t = share(x[24]);
-      const filters::StepAt place = filters::bare_place(step, t);
+      const filters::StepAt place = filters::bare_iterate(step, t);
       filters::Parameters p = filters::closest(step.domain, place.r, place.u, place.w);
       const filters::Vector about = filters::combined(place.r, place.u, place.w, p.s, p.q);
       // The excess is near 0 where its error counts, and hints are off by more than doubles are.
@@ -296,7 +296,7 @@ TEST_CASE("a facet's h in double-doubles is within its error", "[separation]") {
   const auto ratio = [](const FrameCase& s, const std::vector<double>& x) {
     const filters::Step step(s.query);
     const double t = share(x[24]);
-    const auto [facet, about] = filters::FacetSearch(step.domain, filters::bare_place(step, t)).best();
+    const auto [facet, about] = filters::FacetSearch(step.domain, filters::bare_iterate(step, t)).best();
     const double distance = about * (1 + share(x[25]));
     if (!(about > 0 && filters::of_ordinary_size(step, distance))) return std::nan("");
     const filters::PreciseFacet found = filters::precise_facet(filters::PreciseStep(s.query), facet, t, {distance, 0});
