@@ -23,8 +23,8 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 ColumnBlock::ColumnBlock() {
   for (std::size_t c = 0; c < 4; ++c) {
     for (std::size_t k = 0; k < 3; ++k) {
-      columns_.start[c][k] = coordinates_ + (6 * c + k) * kQueries;
-      columns_.end[c][k] = coordinates_ + (6 * c + 3 + k) * kQueries;
+      columns_.start[c][k] = coordinates_ + (6 * c + k) * kStride;
+      columns_.end[c][k] = coordinates_ + (6 * c + 3 + k) * kStride;
     }
   }
 }

@@ -72,13 +72,13 @@ class ColumnBlock {
 
   /// The corner c of the query that is being filled.
   void set(std::size_t c, const Vec3& start, const Vec3& end) noexcept {
-    double* const at = coordinates_ + 6 * c * kQueries + columns_.count;
-    at[0 * kQueries] = start.x;
-    at[1 * kQueries] = start.y;
-    at[2 * kQueries] = start.z;
-    at[3 * kQueries] = end.x;
-    at[4 * kQueries] = end.y;
-    at[5 * kQueries] = end.z;
+    double* const at = coordinates_ + 6 * c * kStride + columns_.count;
+    at[0 * kStride] = start.x;
+    at[1 * kStride] = start.y;
+    at[2 * kStride] = start.z;
+    at[3 * kStride] = end.x;
+    at[4 * kStride] = end.y;
+    at[5 * kStride] = end.z;
   }
   void finish_query() noexcept { ++columns_.count; }
 
@@ -87,10 +87,13 @@ class ColumnBlock {
   const Answer* answers() const noexcept { return answers_; }
 
  private:
+  /// From a column to the next. Columns a power of two apart would share a few sets of the cache.
+  static constexpr std::size_t kStride = kQueries + 8;
+
   ColumnBlock();
 
   QueryColumns columns_;
-  double coordinates_[24 * kQueries];
+  double coordinates_[24 * kStride];
   Answer answers_[kQueries];
 };
 
