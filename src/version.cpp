@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include <touchstone/version.hpp>
 
-namespace touchstone::inline TOUCHSTONE_ABI {
+namespace touchstone {
+inline namespace TOUCHSTONE_ABI {
 
 const char* version() noexcept { return TOUCHSTONE_VERSION; }
 
-}  // namespace touchstone::inline TOUCHSTONE_ABI
+}  // namespace TOUCHSTONE_ABI
+}  // namespace touchstone

@@ -12,7 +12,8 @@
 #include "fuzz/engine.hpp"
 #include "fuzz/judging/finding_text.hpp"
 
-namespace touchstone::inline TOUCHSTONE_ABI {
+namespace touchstone {
+inline namespace TOUCHSTONE_ABI {
 namespace {
 
 constexpr int kMostThreads = 1024;
@@ -120,4 +121,5 @@ FuzzReport fuzz_solver(const std::function<Claim(const Query&)>& solver, const F
   return report;
 }
 
-}  // namespace touchstone::inline TOUCHSTONE_ABI
+}  // namespace TOUCHSTONE_ABI
+}  // namespace touchstone

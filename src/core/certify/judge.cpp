@@ -13,7 +13,8 @@
 #include "numbers/integers/common_denominator.hpp"
 #include "numbers/written_number.hpp"
 
-namespace touchstone::inline TOUCHSTONE_ABI {
+namespace touchstone {
+inline namespace TOUCHSTONE_ABI {
 namespace {
 
 Fraction exact_value(const std::string& number) {
@@ -89,4 +90,5 @@ Verdict judge(const Claim& claim, const CurvedQuery& query, const Answer& truth,
   return judge_as_written(claim, truth, [&] { return contact_times(query, separation); });
 }
 
-}  // namespace touchstone::inline TOUCHSTONE_ABI
+}  // namespace TOUCHSTONE_ABI
+}  // namespace touchstone

@@ -4,9 +4,11 @@
 
 #include <limits>
 
-namespace touchstone::inline TOUCHSTONE_ABI {
+namespace touchstone {
+inline namespace TOUCHSTONE_ABI {
 
 Answer::Answer() noexcept
     : toi(std::numeric_limits<double>::infinity()), toi_upper(std::numeric_limits<double>::infinity()) {}
 
-}  // namespace touchstone::inline TOUCHSTONE_ABI
+}  // namespace TOUCHSTONE_ABI
+}  // namespace touchstone

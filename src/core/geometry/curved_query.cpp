@@ -7,7 +7,8 @@
 
 #include <touchstone/error.hpp>
 
-namespace touchstone::inline TOUCHSTONE_ABI {
+namespace touchstone {
+inline namespace TOUCHSTONE_ABI {
 
 CurvedCorner CurvedCorner::on_body(int motion, const Vec3& point) { return {motion, 1, {point}}; }
 
@@ -28,4 +29,5 @@ CurvedQuery::CurvedQuery(const Query& query) : kind(query.kind) {
   }
 }
 
-}  // namespace touchstone::inline TOUCHSTONE_ABI
+}  // namespace TOUCHSTONE_ABI
+}  // namespace touchstone

@@ -8,7 +8,8 @@
 
 #include "geometry/kind_traits.hpp"
 
-namespace touchstone::inline TOUCHSTONE_ABI {
+namespace touchstone {
+inline namespace TOUCHSTONE_ABI {
 
 template <>
 Names names_of<MeshElement>() noexcept {
@@ -65,4 +66,5 @@ Names names_of<Wanted>() noexcept {
   return kNames;
 }
 
-}  // namespace touchstone::inline TOUCHSTONE_ABI
+}  // namespace TOUCHSTONE_ABI
+}  // namespace touchstone

@@ -235,7 +235,8 @@ void for_each_resting_block(const Mesh::Impl& mesh, const Motion& motion, const 
 
 }  // namespace touchstone::mesh
 
-namespace touchstone::inline TOUCHSTONE_ABI {
+namespace touchstone {
+inline namespace TOUCHSTONE_ABI {
 namespace {
 
 TOUCHSTONE_BEHIND_GUARD std::vector<MeshPair> find_candidates(const Mesh& mesh, const Positions& x0,
@@ -265,4 +266,5 @@ std::vector<MeshPair> candidates(const Mesh& mesh, const Positions& x0, const Po
   return find_candidates(mesh, x0, x1, options);
 }
 
-}  // namespace touchstone::inline TOUCHSTONE_ABI
+}  // namespace TOUCHSTONE_ABI
+}  // namespace touchstone

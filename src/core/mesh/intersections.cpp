@@ -185,11 +185,13 @@ TOUCHSTONE_BEHIND_GUARD std::vector<Intersection> intersections_at(const Mesh::I
 }  // namespace
 }  // namespace touchstone::mesh
 
-namespace touchstone::inline TOUCHSTONE_ABI {
+namespace touchstone {
+inline namespace TOUCHSTONE_ABI {
 
 std::vector<Intersection> intersections(const Mesh& mesh, const Positions& x, const MeshOptions& options) {
   const numbers::DefaultFloatEnvironment environment;
   return mesh::intersections_at(mesh.impl(), x, options);
 }
 
-}  // namespace touchstone::inline TOUCHSTONE_ABI
+}  // namespace TOUCHSTONE_ABI
+}  // namespace touchstone

@@ -17,7 +17,8 @@
 #include "numbers/doubles/float_environment.hpp"
 #include "solver/validate.hpp"
 
-namespace touchstone::inline TOUCHSTONE_ABI {
+namespace touchstone {
+inline namespace TOUCHSTONE_ABI {
 namespace {
 
 using mesh::Index;
@@ -384,4 +385,5 @@ Names names_of<StepOutcome>() noexcept {
   return kNames;
 }
 
-}  // namespace touchstone::inline TOUCHSTONE_ABI
+}  // namespace TOUCHSTONE_ABI
+}  // namespace touchstone

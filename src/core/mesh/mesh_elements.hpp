@@ -13,7 +13,8 @@
 
 #include "geometry/kind_traits.hpp"
 
-namespace touchstone::inline TOUCHSTONE_ABI {
+namespace touchstone {
+inline namespace TOUCHSTONE_ABI {
 
 struct Mesh::Impl {
   std::size_t vertex_count = 0;
@@ -39,7 +40,8 @@ struct Mesh::Impl {
   bool has_rules() const noexcept { return !(vertex_pairs.empty() && element_pairs.empty() && groups.empty()); }
 };
 
-}  // namespace touchstone::inline TOUCHSTONE_ABI
+}  // namespace TOUCHSTONE_ABI
+}  // namespace touchstone
 
 namespace touchstone::mesh {
 

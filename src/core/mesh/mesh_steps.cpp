@@ -3,7 +3,8 @@
 
 #include "mesh/contacts.hpp"
 
-namespace touchstone::inline TOUCHSTONE_ABI {
+namespace touchstone {
+inline namespace TOUCHSTONE_ABI {
 
 struct MeshSteps::Memory {
   explicit Memory(const Mesh& whole) : mesh(whole) { step.kept.emplace(mesh.impl()); }
@@ -54,4 +55,5 @@ FreeStep free_step(const Mesh& mesh, const Positions& x0, const Positions& x1, c
   return mesh::free_step(mesh.impl(), x0, x1, options, memory);
 }
 
-}  // namespace touchstone::inline TOUCHSTONE_ABI
+}  // namespace TOUCHSTONE_ABI
+}  // namespace touchstone

@@ -88,7 +88,8 @@ Query query_of(const Motion& motion, Kind kind, const std::array<Index, 4>& corn
 
 }  // namespace touchstone::mesh
 
-namespace touchstone::inline TOUCHSTONE_ABI {
+namespace touchstone {
+inline namespace TOUCHSTONE_ABI {
 
 Query query_of(const Mesh& mesh, const MeshPair& pair, const Positions& x0, const Positions& x1) {
   mesh::check_shape(mesh.impl(), x0, "t = 0");
@@ -103,4 +104,5 @@ Query query_of(const Mesh& mesh, const MeshPair& pair, const Positions& x0, cons
   return query;
 }
 
-}  // namespace touchstone::inline TOUCHSTONE_ABI
+}  // namespace TOUCHSTONE_ABI
+}  // namespace touchstone

@@ -8,7 +8,8 @@
 #include "numbers/doubles/float_environment.hpp"
 #include "solver/validate.hpp"
 
-namespace touchstone::inline TOUCHSTONE_ABI {
+namespace touchstone {
+inline namespace TOUCHSTONE_ABI {
 namespace {
 
 template <class AnyQuery>
@@ -38,4 +39,5 @@ std::optional<std::array<double, 3>> contact_normal(const CurvedQuery& query, co
   return normal_of(query, separation, t_max);
 }
 
-}  // namespace touchstone::inline TOUCHSTONE_ABI
+}  // namespace TOUCHSTONE_ABI
+}  // namespace touchstone

@@ -11,7 +11,8 @@
 #include "numbers/integers/common_denominator.hpp"
 #include "solver/validate.hpp"
 
-namespace touchstone::inline TOUCHSTONE_ABI {
+namespace touchstone {
+inline namespace TOUCHSTONE_ABI {
 
 struct ExactTime::Impl {
   numbers::RealRoot root;
@@ -93,4 +94,5 @@ std::vector<ContactInterval> contact_times(const CurvedQuery& query, const Separ
   return times_of_any(query, separation, t_max);
 }
 
-}  // namespace touchstone::inline TOUCHSTONE_ABI
+}  // namespace TOUCHSTONE_ABI
+}  // namespace touchstone

@@ -6,7 +6,8 @@
 #include "numbers/integers/limb_scratch.hpp"
 #include "solver/validate.hpp"
 
-namespace touchstone::inline TOUCHSTONE_ABI {
+namespace touchstone {
+inline namespace TOUCHSTONE_ABI {
 namespace {
 
 template <class AnyQuery>
@@ -45,4 +46,5 @@ int compare_distance(const CurvedQuery& query, double t, const Separation& separ
   return compare(query, t, separation);
 }
 
-}  // namespace touchstone::inline TOUCHSTONE_ABI
+}  // namespace TOUCHSTONE_ABI
+}  // namespace touchstone

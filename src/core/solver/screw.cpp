@@ -19,7 +19,8 @@
 #include "solver/screw_arcs.hpp"
 #include "solver/validate.hpp"
 
-namespace touchstone::inline TOUCHSTONE_ABI {
+namespace touchstone {
+inline namespace TOUCHSTONE_ABI {
 namespace {
 
 using solver::Interval;
@@ -170,4 +171,5 @@ ScrewAnswer solve_screw(const CurvedQuery& query, const ScrewOptions& options) {
   }
 }
 
-}  // namespace touchstone::inline TOUCHSTONE_ABI
+}  // namespace TOUCHSTONE_ABI
+}  // namespace touchstone

@@ -53,7 +53,8 @@ Answer answer(const RationalQuery& query, const Separation& separation, Method m
 
 }  // namespace touchstone::solver
 
-namespace touchstone::inline TOUCHSTONE_ABI {
+namespace touchstone {
+inline namespace TOUCHSTONE_ABI {
 
 bool has_method(Method method) noexcept {
   return method == Method::fast || method == Method::exact || (method <= Method::fast_cgal && oracle::is_present());
@@ -92,4 +93,5 @@ Answer solve(const RationalQuery& query, const SolveOptions& options) {
 
 Answer solve(const RationalQuery& query) { return solve(query, SolveOptions()); }
 
-}  // namespace touchstone::inline TOUCHSTONE_ABI
+}  // namespace TOUCHSTONE_ABI
+}  // namespace touchstone

@@ -20,7 +20,8 @@
 #include "solver/validate.hpp"
 #include "threads/for_each_range.hpp"
 
-namespace touchstone::inline TOUCHSTONE_ABI {
+namespace touchstone {
+inline namespace TOUCHSTONE_ABI {
 namespace {
 
 constexpr std::size_t kBlock = 64;  // how many queries a kernel is given at a time; a few microseconds of work
@@ -230,4 +231,5 @@ LevelCounts count_levels(const std::vector<Answer>& answers) noexcept {
   return counts;
 }
 
-}  // namespace touchstone::inline TOUCHSTONE_ABI
+}  // namespace TOUCHSTONE_ABI
+}  // namespace touchstone

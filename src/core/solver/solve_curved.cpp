@@ -90,7 +90,8 @@ Answer answer(const CurvedQuery& query, const Separation& separation, Method met
 
 }  // namespace touchstone::solver
 
-namespace touchstone::inline TOUCHSTONE_ABI {
+namespace touchstone {
+inline namespace TOUCHSTONE_ABI {
 
 bool takes_longer_turn(const RigidMotion& motion) { return numbers::obtuse(motion.q0, motion.q1); }
 
@@ -111,4 +112,5 @@ Answer solve(const CurvedQuery& query, const SolveOptions& options) {
 
 Answer solve(const CurvedQuery& query) { return solve(query, SolveOptions()); }
 
-}  // namespace touchstone::inline TOUCHSTONE_ABI
+}  // namespace TOUCHSTONE_ABI
+}  // namespace touchstone
