@@ -4,10 +4,13 @@
 #include <malloc.h>
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <cstdio>
 #include <cstdlib>
+#include <mutex>
 #include <new>
+#include <utility>
 #include <vector>
 
 #include <touchstone/touchstone.hpp>
@@ -20,16 +23,19 @@ namespace {
 
 std::atomic<std::size_t> held{0}, most_held{0};
 
-void* note(void* memory) noexcept {
+void* note(void* memory, std::size_t size) noexcept {
   if (memory == nullptr) return nullptr;
-  const std::size_t now = held += malloc_usable_size(memory);
+  const std::size_t now = held += size;
   std::size_t most = most_held;
   while (most < now && !most_held.compare_exchange_weak(most, now)) {
   }
   return memory;
 }
 
-void* counted_or_null(std::size_t size) noexcept { return note(std::malloc(size == 0 ? 1 : size)); }
+void* counted_or_null(std::size_t size) noexcept {
+  void* const memory = std::malloc(size == 0 ? 1 : size);
+  return note(memory, memory == nullptr ? 0 : malloc_usable_size(memory));
+}
 
 void* or_throw(void* memory) {
   if (memory == nullptr) throw std::bad_alloc();
@@ -44,6 +50,28 @@ void release(void* memory) noexcept {
   std::free(memory);
 }
 
+/// Of aligned memory, what was asked for counts: the rest of its usable size is address space up to the alignment, which
+/// nobody touches.
+struct AlignedMemory {
+  void* hand_out(std::size_t size, std::size_t alignment) {
+    const std::lock_guard<std::mutex> guard(lock);
+    const auto free = std::find_if(all.begin(), all.end(), [](const auto& one) { return one.first == nullptr; });
+    if (free == all.end()) throw std::bad_alloc();
+    *free = {or_throw(note(std::aligned_alloc(alignment, size), size)), size};
+    return free->first;
+  }
+  void take_back(void* memory) noexcept {
+    if (memory == nullptr) return;
+    const std::lock_guard<std::mutex> guard(lock);
+    const auto found = std::find_if(all.begin(), all.end(), [&](const auto& one) { return one.first == memory; });
+    held -= found->second;
+    *found = {};
+    std::free(memory);
+  }
+  std::mutex lock;
+  std::array<std::pair<void*, std::size_t>, 1024> all{};
+} aligned_memory;
+
 }  // namespace
 
 void* operator new(std::size_t size) { return counted(size); }
@@ -51,10 +79,10 @@ void* operator new[](std::size_t size) { return counted(size); }
 void* operator new(std::size_t size, const std::nothrow_t&) noexcept { return counted_or_null(size); }
 void* operator new[](std::size_t size, const std::nothrow_t&) noexcept { return counted_or_null(size); }
 void* operator new(std::size_t size, std::align_val_t alignment) {
-  return or_throw(note(std::aligned_alloc(static_cast<std::size_t>(alignment), size)));
+  return aligned_memory.hand_out(size, static_cast<std::size_t>(alignment));
 }
-void operator delete(void* memory, std::align_val_t) noexcept { release(memory); }
-void operator delete(void* memory, std::size_t, std::align_val_t) noexcept { release(memory); }
+void operator delete(void* memory, std::align_val_t) noexcept { aligned_memory.take_back(memory); }
+void operator delete(void* memory, std::size_t, std::align_val_t) noexcept { aligned_memory.take_back(memory); }
 void operator delete(void* memory) noexcept { release(memory); }
 void operator delete[](void* memory) noexcept { release(memory); }
 void operator delete(void* memory, std::size_t) noexcept { release(memory); }

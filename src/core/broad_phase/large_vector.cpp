@@ -14,10 +14,10 @@ constexpr std::size_t kHugePage = std::size_t{1} << 21;
 
 void* allocate_array(std::size_t bytes) {
   if (bytes < kHugePage) return ::operator new(bytes);
-  const std::size_t whole_pages = (bytes + kHugePage - 1) / kHugePage * kHugePage;
-  void* const memory = ::operator new(whole_pages, std::align_val_t(kHugePage));
+  void* const memory = ::operator new(bytes, std::align_val_t(kHugePage));
 #ifdef MADV_HUGEPAGE
-  ::madvise(memory, whole_pages, MADV_HUGEPAGE);  // a system that refuses it gives small pages
+  // The pages that the array fills. A system that refuses this gives small pages.
+  ::madvise(memory, bytes / kHugePage * kHugePage, MADV_HUGEPAGE);
 #endif
   return memory;
 }
