@@ -41,8 +41,10 @@ struct FallingTriangle {
 
 TEST_CASE("a mesh answers as the one of C++") {
   FallingTriangle given;
-  for (const double separation : {0.0, 0.25}) {
-    CAPTURE(separation);
+  for (const int round : {0, 1, 2, 3}) {
+    const double separation = round % 2 == 0 ? 0.0 : 0.25;
+    const int keep = round / 2;
+    CAPTURE(separation, keep);
     given.elements.separation = separation;
     touchstone::MeshElements elements;
     elements.vertex_count = 6;
@@ -54,6 +56,8 @@ TEST_CASE("a mesh answers as the one of C++") {
     touchstone_mesh* handle = nullptr;
     REQUIRE(touchstone_mesh_create(&given.elements, &handle) == TOUCHSTONE_OK);
     REQUIRE(handle != nullptr);
+    REQUIRE(touchstone_mesh_keep(handle, keep) == TOUCHSTONE_OK);
+    CHECK(touchstone_mesh_keep(handle, 2) == TOUCHSTONE_INVALID_ARGUMENT);
     std::uint32_t corners[2] = {9, 9};
     for (std::size_t e = 0; e < mesh.edges().size(); ++e) {
       REQUIRE(touchstone_mesh_edge(handle, e, corners) == TOUCHSTONE_OK);
@@ -332,6 +336,7 @@ TEST_CASE("what is wrong with a mesh is a status and a message, and no handle") 
   CHECK(message_has("vertex 1"));
   touchstone_mesh_destroy(mesh);
 
+  CHECK(touchstone_mesh_keep(nullptr, 1) == TOUCHSTONE_INVALID_ARGUMENT);
   touchstone_mesh_destroy(nullptr);
   touchstone_contacts_destroy(nullptr);
   touchstone_intersections_destroy(nullptr);

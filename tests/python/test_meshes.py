@@ -1,4 +1,5 @@
 """Mesh and the functions about meshes. SPDX-License-Identifier: MIT"""
+import concurrent.futures
 import math
 
 import numpy as np
@@ -92,6 +93,26 @@ def test_threads_layouts_and_types_change_nothing():
         for x in (x0, np.asfortranarray(x0), np.asfortranarray(x0.astype(float)), x0.astype(float)[::-1].copy()[::-1]):
             got = ts.all_contacts(mesh, x, x1, threads=2)
             assert list(got) == list(wanted) and np.array_equal(got.answers.toi, wanted.answers.toi)
+
+
+def test_steps_that_keep_what_they_found():
+    faces, x0, x1 = cloud(400)
+    mesh = ts.Mesh(x0, faces)
+    steps = ts.MeshSteps(mesh)
+    assert steps.mesh.faces.tolist() == mesh.faces.tolist() and steps.searches == 0
+    with concurrent.futures.ThreadPoolExecutor(3) as pool:  # one object for all: each call is answered by itself
+        tries = [x0 + s * (x1 - x0) for s in (0.1, 0.1, 0.09, 0.08, 0.07, 0.06)]
+        for x, found in zip(tries, pool.map(lambda x: steps.all_contacts(x0, x), tries)):
+            expected = ts.all_contacts(mesh, x0, x)
+            assert list(found) == list(expected) and found.answers.toi.tolist() == expected.answers.toi.tolist()
+    assert steps.searches == 2 and repr(steps) == "<MeshSteps: 2 searches>"
+    found, expected = steps.first_contact(x0, tries[4], threads=2), ts.first_contact(mesh, x0, tries[4])
+    assert found.toi == expected.toi and list(found.first) == list(expected.first)
+    step, expected = steps.free_step(x0, tries[4], 0.25), ts.free_step(mesh, x0, tries[4], 0.25)
+    assert step.length == expected.length and (step.positions == expected.positions).all()
+    steps.release()
+    with pytest.raises(ValueError, match="x1 has the shape"):
+        steps.first_contact(x0, x1[:2])
 
 
 def test_separations_rules_and_the_plane():
