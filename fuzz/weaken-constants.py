@@ -240,7 +240,8 @@ MESH_FAULTS = [
     ("reach of a kept fraction", "mesh/candidates.cpp", "reach += more;", ""),
     ("greatest radius and greatest way of an element", "mesh/candidates.cpp",
      "more = std::max(more, reach_.of_ways[corner]);",
-     "reach = std::max(reach, reach_.of_ways[corner] + reach_.of_vertices[corner]);"),
+     "reach = std::max(reach, reach_.of_ways[corner] + (reach_.of_vertices.empty() ? 0 :"
+     " reach_.of_vertices[corner]));"),
     ("pieces that meet", "mesh/inside.cpp", "if (a != b) pairs.insert({{a, b}, {b, a}});", ""),
 ]
 

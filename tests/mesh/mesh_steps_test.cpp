@@ -139,6 +139,24 @@ TEST_CASE("a contact at the edge of the margin is found among the pairs that are
   CHECK(anew > 0);
 }
 
+TEST_CASE("a pair that keeps too little by a move within the margin is among the pairs that are kept") {
+  MeshElements elements;
+  elements.vertex_count = 4;
+  elements.edges = {{0, 1}, {2, 3}};
+  const Mesh mesh(elements);
+  MeshSteps steps(mesh);
+  FreeStepOptions options;
+  options.kept_fraction = 0.8;
+  // The edges have the length 1, so the margin is 1/16. They keep 0.8 of 6/16, and come within 4.6/16.
+  std::vector<double> x0 = {-0.5, 0, 0, 0.5, 0, 0, 0, -0.5, 6. / 16, 0, 0.5, 6. / 16}, x1 = x0;
+  for (std::size_t i = 2; i < x1.size(); i += 3) x1[i] += i < 6 ? 0.7 / 16 : -0.7 / 16;
+  for (int i = 0; i < 2; ++i) REQUIRE(steps.free_step({x0, 3}, {x0, 3}, options).outcome == StepOutcome::whole);
+  const FreeStep step = steps.free_step({x0, 3}, {x1, 3}, options);
+  CHECK(steps.searches() == 2);
+  CHECK(step.outcome == StepOutcome::shortened);
+  CHECK(same_bytes(step, free_step(mesh, {x0, 3}, {x1, 3}, options)));
+}
+
 TEST_CASE("kept steps: mistakes and stops leave them as they were") {
   MeshElements elements;
   elements.vertex_count = 4;
