@@ -33,7 +33,7 @@ extern "C" {
 #endif
 
 /** The version of this interface. A number is added for each addition; nothing is taken away under one number. */
-#define TOUCHSTONE_C_VERSION 4
+#define TOUCHSTONE_C_VERSION 5
 
 /** The values that functions return. */
 enum touchstone_status_code {

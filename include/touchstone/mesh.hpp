@@ -361,8 +361,8 @@ Names names_of<StepOutcome>() noexcept;
 struct FreeStepOptions : MeshOptions {
   /// In [0, 1). Each pair keeps more than this fraction of its distance at the start: for a pair with the separation d
   /// and the distance D0 at the start, the distance stays greater than d + fraction * (D0 - d). In computing that,
-  /// D0 - d is rounded up by at most 2^-10 of itself, or by a few units in the last place of D0, and the result by a few
-  /// units in its last place. With 0, each pair keeps a distance greater than d.
+  /// D0 - d is rounded up by at most 2^-10 of itself, or by a few units in the last place of D0, and the result by a
+  /// few units in its last place. With 0, each pair keeps a distance greater than d.
   double kept_fraction = 0;
 
   bool check_start = false;  ///< as in FirstContactOptions

@@ -16,9 +16,9 @@ inline namespace TOUCHSTONE_ABI {
 /// kept from one question to the next.
 ///
 /// The pairs of a step are found when a second question is much like it: all vertices start within a margin of where
-/// they started in that step, and end within the margin of where they were after a fraction s of at least 1/2 of it, one
-/// s for all vertices. From then on they are kept, for every s, until a question is not like that step, or has another
-/// kept_fraction. The margin is 3/64 of the mean length of an edge, along each axis; a mesh without edges has next to
+/// they started in that step, and end within the margin of where they were after a fraction s of at least 1/2 of it,
+/// one s for all vertices. From then on they are kept, for every s, until a question is not like that step, or has
+/// another kept_fraction. The margin is 3/64 of the mean length of an edge, along each axis; a mesh without edges has next to
 /// none, and keeps pairs for the same way only. Nothing is kept for a kept_fraction beyond 0.9.
 ///
 /// It holds 96 bytes for each vertex and up to 16 for each pair that is kept, of which there are at most 64 for each
@@ -43,7 +43,7 @@ class MeshSteps {
   /// As the function free_step. @throws InvalidQuery  as that function
   FreeStep free_step(const Positions& x0, const Positions& x1, const FreeStepOptions& options = {});
 
-  /// How many times the boxes of all elements were compared. Other questions were answered from the pairs that are kept.
+  /// How many times the boxes of all elements were compared. Other questions were answered from kept pairs.
   std::size_t searches() const noexcept;
 
   /// Gives the memory back. The next question is as the first one.

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-/// The inline namespace of every public name of C++. Each minor version has its own, so a program that was compiled with
-/// the headers of another one fails to link. Two versions in one program do not meet.
+/// The inline namespace of every public name of C++. Each minor version has its own, so a program that was compiled
+/// with the headers of another one fails to link. Two versions in one program do not meet.
 #define TOUCHSTONE_ABI v0_2
 
 namespace touchstone {

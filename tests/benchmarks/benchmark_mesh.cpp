@@ -6,9 +6,9 @@
 // The scene is a stack of waving cloths, half an edge apart, that do not touch. A line has the least seconds of several
 // steps: for the broad phase, for first_contact on one thread and on two, and their ratios; then the number of
 // candidate pairs, and the greatest memory of the process so far. A second table has the least milliseconds of other
-// questions, on one thread: free_step; the six tries of a line search by MeshSteps, each try on the average and the last
-// one; free_step that keeps 0.2 of each distance; and intersections; and the page faults of a free step. The last line
-// is the exponent of the growth of the time.
+// questions, on one thread: free_step; the six tries of a line search by MeshSteps, each try on the average and the
+// last one; free_step that keeps 0.2 of each distance; and intersections; and the page faults of a free step. The last
+// line is the exponent of the growth of the time.
 // SPDX-License-Identifier: MIT
 #include <sys/resource.h>
 

@@ -50,8 +50,8 @@ void release(void* memory) noexcept {
   std::free(memory);
 }
 
-/// Of aligned memory, what was asked for counts: the rest of its usable size is address space up to the alignment, which
-/// nobody touches.
+/// Of aligned memory, what was asked for counts: the rest of its usable size is address space up to the alignment,
+/// which nobody touches.
 struct AlignedMemory {
   void* hand_out(std::size_t size, std::size_t alignment) {
     const std::lock_guard<std::mutex> guard(lock);

@@ -21,7 +21,7 @@ namespace touchstone::mesh {
 /// Proof: let a vertex of the reference be at y(t) = y0 + t (y1 - y0), and of the motion at x(t) = (1 - t) x0 + t x1.
 /// If each coordinate of x0 is within m of y0, and of x1 within m of y(s), then that of x(t) is within
 /// (1 - t) m + t m = m of (1 - t) y0 + t y(s) = y(s t). So an element of the motion is at time t in the box of the
-/// reference at time s t, wider by m. Where the motion's boxes meet at t, those of the reference meet at s t, in [0, 1].
+/// reference at time s t, wider by m. Where the motion's boxes meet at t, those of the reference meet at s t.
 class CandidateSearch {
  public:
   explicit CandidateSearch(const Mesh::Impl& mesh) : mesh_(mesh) {}

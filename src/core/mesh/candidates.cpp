@@ -157,9 +157,9 @@ Reach reach_of_separations(const Mesh::Impl& mesh) {
 // (1 - fraction) (D0 - d). So D0 - d is at most the displacements over 1 - fraction, and the elements are then within d
 // plus the fraction of that, also along each axis.
 // The distance to keep is computed with a bound of D0 that is greater by up to a part b of it: b = 2^-20 where the
-// fraction is at most kMostBounded, and some 2^-53 elsewhere. With f (1 + b) in place of f, d + f (D0 - d) grows by less
-// than kRoomOfBounds of itself for b = 2^-20 and f <= 0.9, and for b = 2^-50 and f <= 1 - 2^-30. Beyond that, no pair is
-// lost for what it is to keep exactly, but one may be for what that is rounded to.
+// fraction is at most kMostBounded, and some 2^-53 elsewhere. With f (1 + b) in place of f, d + f (D0 - d) grows by
+// less than kRoomOfBounds of itself for b = 2^-20 and f <= 0.9, and for b = 2^-50 and f <= 1 - 2^-30. Beyond that, no
+// pair is lost for what it is to keep exactly, but one may be for what that is rounded to.
 Reach reach_of_fraction(const Mesh::Impl& mesh, const Motion& motion, double fraction) {
   Reach reach = reach_of_separations(mesh);
   // At least the least normal number: what is rounded up by some doubles among the subnormal ones is below that.

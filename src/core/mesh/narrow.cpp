@@ -68,9 +68,7 @@ KeptDistances::Kept KeptDistances::quick(const MeshPair& pair, const std::array<
   const double separation = separation_of(mesh_, pair, corners);
   if (fraction_ == 0) return {separation, false};
   if (fraction_ <= kMostBounded && metric() == Metric::euclidean) {
-    std::array<Vec3, 4> at_start{};
-    for (std::size_t c = 0; c < corner_count(pair.kind); ++c) at_start[c] = motion_[corners[c]].start;
-    const auto bound = filters::distance_bound(pair.kind, at_start);
+    const auto bound = filters::distance_bound(pair.kind, query_of(motion_, pair.kind, corners).start);
     // So the distance to keep grows by less than 2^-10 of its excess over the separation.
     if (bound && filters::kLoosestBound * *bound <= 0x1p-11 * (*bound - separation)) {
       return {kept(separation, *bound), false};

@@ -12,8 +12,8 @@ namespace {
 // is the difference of a point of each element, so |c| is at least the distance. Each coordinate of r, u and w is a
 // difference of doubles, with a relative error of e. Differences, products and sums make errors of 4 e |u|, 3 e |w| and
 // 3 e |r| at most, but for terms of second order, and 1 - s, by which q is bounded, one of e |w|. So each coordinate of
-// the computed c is off by less than 6 e (|r| + |u| + |w|), and |c| by less than 6 e S, where S is the sum of these over
-// the axes. The rest of the constant covers the errors of the root, of S and of the last sum.
+// the computed c is off by less than 6 e (|r| + |u| + |w|), and |c| by less than 6 e S, where S is the sum of these
+// over the axes. The rest of the constant covers the errors of the root, of S and of the last sum.
 constexpr double kBoundError = 10 * 0x1p-53;
 
 // Parts of |c| that the error, and what |c| is above the distance, may have. The distance is at least the product of

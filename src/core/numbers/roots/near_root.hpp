@@ -20,8 +20,8 @@
 namespace touchstone::numbers {
 
 /// A sticky flag, as those of floating-point exceptions are, raised where a root, a sign or a quotient stays open. Each
-/// decision has one. Its roots keep a pointer to it, and computing goes on with any value. The flag is read once, at the
-/// end: where it is raised, the result is worth nothing.
+/// decision has one. Its roots keep a pointer to it, and computing goes on with any value. The flag is read once, at
+/// the end: where it is raised, the result is worth nothing.
 class Doubt {
  public:
   void raise() noexcept { raised_ = true; }
