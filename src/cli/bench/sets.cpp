@@ -120,7 +120,7 @@ void append_aligned_sets(std::size_t count, const Separation& separation, bool f
   for (const auto scene : generators::kAlignedScenes) {
     for (const auto placement : generators::kAllPlacements) {
       std::string source(generators::scene_name(scene));
-      if (placement != generators::Placement::as_built) source += "-" + std::string(placement_name(placement));
+      if (placement != generators::Placement::as_built) source.append("-").append(placement_name(placement));
       const bool usual = placement <= generators::Placement::turned;
       if (!is_selected(source) || !(usual || filtered)) continue;
       generators::CandidateOptions options;
