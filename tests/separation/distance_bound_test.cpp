@@ -1,4 +1,5 @@
-// The bound of a distance in doubles is above the distance, and not far above: a search, judged by compare_distance.
+// The bounds of a distance in doubles are above and below the distance, and not far from it: searches, judged by
+// compare_distance.
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <array>
@@ -72,5 +73,43 @@ TEST_CASE("there is no bound of a distance of touching elements, or of sizes wit
   CHECK_FALSE(filters::distance_bound(Kind::point_point, {{{1, 2, 3}, {1, 2, 3}, {}, {}}}));
   for (const double size : {1e-200, 1e200, 1e308}) {
     CHECK_FALSE(filters::distance_bound(Kind::vertex_face, {{{0, 0, size}, {0, 0, 0}, {size, 0, 0}, {0, size, 0}}}));
+  }
+}
+
+TEST_CASE("a least distance is below the distance at all times, and not far below for elements that hardly move") {
+  seeded::Rng random(3812);
+  std::size_t close = 0, asked = 0;
+  for (std::size_t round = 0; round < effort(40000); ++round) {
+    Query query = random_pair(random);
+    const double size = std::fabs(query.start[0].x - query.start[1].x);
+    const bool at_rest = random.one_in(2);
+    const double way = at_rest ? 0 : size * std::ldexp(1.0, random.between(-30, 2));
+    for (Vec3& x : query.end) x = sum(x, way, random_vector(random));
+    if (random.one_in(2)) std::swap(query.start, query.end);
+    const double least = filters::least_distance(query);
+    CAPTURE(round, name_of(query.kind), least);
+    REQUIRE(least >= 0);
+    if (least == 0) continue;
+    const double time = random.pick(std::array{0.0, 1.0, 0.5, std::fabs(random.symmetric())});
+    REQUIRE(compare_distance(query, time, {least}) >= 0);
+    if (!at_rest) continue;
+    ++asked;
+    close += compare_distance(query, 0, {least * (1 + 0x1p-20)}) <= 0;
+  }
+  CAPTURE(close, asked);
+  CHECK(2 * close > asked);
+}
+
+TEST_CASE("there is no least distance of elements that meet on their way, or of sizes without squares") {
+  Query query;
+  query.kind = Kind::vertex_face;
+  query.start = query.end = {{{0.25, 0.25, -1}, {0, 0, 0}, {1, 0, 0}, {0, 1, 0}}};
+  CHECK(filters::least_distance(query) > 0.999);
+  query.end[0].z = 1;
+  CHECK(filters::least_distance(query) == 0);
+  query.kind = Kind::point_point;
+  for (const double size : {1e-200, 1e200, 1e308}) {
+    query.start = query.end = {{{0, 0, size}}};
+    CHECK(filters::least_distance(query) == 0);
   }
 }

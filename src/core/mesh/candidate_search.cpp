@@ -6,6 +6,8 @@
 #include <limits>
 #include <mutex>
 
+#include "filters/separation/distance_bound.hpp"
+#include "mesh/narrow.hpp"
 #include "mesh/pair_distance.hpp"
 #include "threads/for_each_range.hpp"
 
@@ -53,6 +55,43 @@ double mean_edge_length(const Mesh::Impl& mesh, const Motion& motion) noexcept {
   }
   return sum;
 }
+
+/// The pairs that may come as near as they are to keep, in a motion within the margin of the reference.
+///
+/// Proof: let L be a lower bound of a pair's distance in the reference at all times, and a the distance that a vertex is
+/// off at most: sqrt(3) m. An element of the motion is at each time within a of one of the reference. So the pair's
+/// distance is at least L - 2 a. What it is to keep is d + f (D0 - d). D0, at the start, is at most 2 a more than in the
+/// reference: so what is to be kept is at most 2 f a more than there. The pair keeps it if L >= k + 2 (1 + f) a, for
+/// the k of the reference. In the max metric a distance is at least the Euclidean one over sqrt(3), and off by 2 m: so
+/// L >= sqrt(3) (k + 2 (1 + f) m).
+class NearPairs {
+ public:
+  NearPairs(const Mesh::Impl& mesh, const Motion& reference, double kept_fraction, double margin)
+      : mesh_(mesh),
+        reference_(reference),
+        distances_(mesh, reference, kept_fraction),
+        in_max_(mesh.separation.metric == Metric::max),
+        room_(2 * (1 + kept_fraction) * (in_max_ ? margin : kRoot3 * margin)) {}
+
+  bool may_meet(const MeshPair& pair) const {
+    const auto corners = corners_of(mesh_, pair);
+    const double least = filters::least_distance(query_of(reference_, pair.kind, corners));
+    if (!(least > room_)) return true;
+    const double kept = distances_.are_zero() ? 0 : distances_.quick(pair, corners).distance;
+    return !(least > kMoreRoom * (in_max_ ? kRoot3 : 1) * (kept + room_));
+  }
+
+ private:
+  static constexpr double kRoot3 = 1.7320508075688775;  // a little more
+  /// Covers what a bound of D0 in doubles adds to what is to be kept, less than 2^-10 of it, and rounding errors.
+  static constexpr double kMoreRoom = 1 + 0x1p-9;
+
+  const Mesh::Impl& mesh_;
+  const Motion& reference_;
+  KeptDistances distances_;
+  bool in_max_;
+  double room_;
+};
 
 /// Written so that NaN is not near.
 bool is_near(double x, double y, double margin) noexcept { return std::fabs(x - y) <= margin; }
@@ -112,6 +151,7 @@ void CandidateSearch::collect(int threads, const std::atomic<bool>* stop) {
 
   for (auto& pairs : pairs_) pairs.clear();
   const std::size_t most = kMostForEach * (mesh_.vertex_count + mesh_.edges.size());
+  const NearPairs near(mesh_, reference_, kept_fraction_, margin_);
   std::size_t count = 0;
   std::mutex lock;
   std::atomic<double> until{1};
@@ -119,13 +159,15 @@ void CandidateSearch::collect(int threads, const std::atomic<bool>* stop) {
   for_each_candidate_block(mesh_, reference_, reach, {threads, &until},
                            [&](Kind kind, const Pair* pairs, std::size_t size) {
                              check_stop(stop);
+                             std::array<Pair, broad_phase::kPairBlock> kept;
+                             const auto end = std::copy_if(pairs, pairs + size, kept.begin(), [&](const Pair& pair) {
+                               return near.may_meet({kind, pair[0], pair[1]});
+                             });
                              const std::lock_guard<std::mutex> guard(lock);
                              auto& list = pairs_[static_cast<std::size_t>(kind)];
-                             if ((count += size) > most) {
+                             list.insert(list.end(), kept.begin(), end);
+                             if ((count += static_cast<std::size_t>(end - kept.begin())) > most)
                                until = -1;  // no more boxes meet
-                             } else {
-                               list.insert(list.end(), pairs, pairs + size);
-                             }
                            });
   if (count > most) {
     for (auto& pairs : pairs_) broad_phase::LargeVector<Pair>().swap(pairs);

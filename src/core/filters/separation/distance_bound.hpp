@@ -1,4 +1,4 @@
-// An upper bound of a distance at one instant, in doubles.
+// Bounds of the distance of two elements, in doubles.
 // SPDX-License-Identifier: MIT
 #pragma once
 
@@ -16,5 +16,9 @@ constexpr double kLoosestBound = 0x1p-20;
 /// 1 + kLoosestBound times it. Nothing for elements that are very near each other or nearly parallel, and for sizes at
 /// which squares overflow or underflow.
 std::optional<double> distance_bound(Kind kind, const std::array<Vec3, 4>& corners) noexcept;
+
+/// A number that the Euclidean distance of the elements is at least at all times of [0, 1], perhaps 0: how far a plane
+/// keeps them apart that is perpendicular to the shortest line between them at the start, or at the end.
+double least_distance(const Query& query) noexcept;
 
 }  // namespace touchstone::filters
