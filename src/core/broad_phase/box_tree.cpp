@@ -42,7 +42,48 @@ bool keep_where_not_negative(double f0, double f1, TimeInterval& times) noexcept
   return true;
 }
 
-constexpr Number kLeaf = 8;  // boxes in a leaf, at most
+/// As meet, for boxes that are apart along some axis at one end of the step.
+[[gnu::noinline]] bool meet_between(const BoundsByAxis& a, const BoundsByAxis& b, double until) noexcept {
+  TimeInterval times{0, until};
+  for (std::size_t k = 0; k < 3; ++k) {
+    const auto f = b.high[k] - a.low[k], g = a.high[k] - b.low[k];
+    if (!keep_where_not_negative(f[0], f[1], times) || !keep_where_not_negative(g[0], g[1], times)) return false;
+  }
+  return times.from <= times.to + kTimesError;
+}
+
+/// As meet. Most boxes are apart along an axis at both ends, or along none: comparisons without branches tell these
+/// from others.
+bool meet_by_axis(const BoundsByAxis& a, const BoundsByAxis& b, double until) noexcept {
+  using Mask = decltype(a.low[0] < b.low[0]);
+  Mask apart{}, at_an_end{};
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Mask below = a.high[k] < b.low[k], above = b.high[k] < a.low[k];
+    apart |= Mask{below[0], above[0]} & Mask{below[1], above[1]};
+    at_an_end |= below | above;
+  }
+  if ((apart[0] | apart[1]) != 0) return false;
+  return (at_an_end[0] | at_an_end[1]) == 0 ? 0 <= until + kTimesError : meet_between(a, b, until);
+}
+
+BoundsByAxis by_axis(const MovingBox& box) noexcept {
+  BoundsByAxis bounds;
+  for (std::size_t k = 0; k < 3; ++k) {
+    bounds.low[k] = BoundsByAxis::AtBothEnds{box.start.low[k], box.end.low[k]};
+    bounds.high[k] = BoundsByAxis::AtBothEnds{box.start.high[k], box.end.high[k]};
+  }
+  return bounds;
+}
+
+void join_by_axis(BoundsByAxis& box, const BoundsByAxis& other) noexcept {
+  for (std::size_t k = 0; k < 3; ++k) {
+    box.low[k] = other.low[k] < box.low[k] ? other.low[k] : box.low[k];
+    box.high[k] = box.high[k] < other.high[k] ? other.high[k] : box.high[k];
+  }
+}
+
+constexpr Number kLeaf = 8;            // boxes in a leaf, at most
+constexpr Number kFewest = kLeaf / 2;  // and, in each part of more, at least
 
 /// A box's number, and its lower bounds at both ends.
 struct Item {
@@ -79,7 +120,7 @@ Number split(Items& items, Number first, Number last) {
   const Extent extent = widest_extent(items, first, last);
   const auto beyond = std::partition(begin, end, [&](const Item& i) { return i.at[extent.axis] < extent.middle; });
   const Number middle = first + static_cast<Number>(beyond - begin);
-  const Number fewest = 1 + (last - first) / 8;  // in each part; otherwise the depth might reach the number of boxes
+  const Number fewest = std::max(kFewest, (last - first) / 8);  // so that the depth is logarithmic
   if (middle - first >= fewest && last - middle >= fewest) return middle;
   const Number half = first + (last - first) / 2;
   std::nth_element(begin, items.begin() + half, end, [&](const Item& i, const Item& j) {
@@ -89,49 +130,61 @@ Number split(Items& items, Number first, Number last) {
   return half;
 }
 
+// A node has a place of its own in the array, whatever is built before it: each leaf but the first begins where exactly
+// one inner node has its middle, and no two begin less than kFewest positions apart. Between two leaves is the node that
+// divides them.
+Number place_of_leaf(Number first) noexcept { return first / kFewest * 2; }
+Number place_of_inner(Number middle) noexcept { return middle / kFewest * 2 - 1; }
+
 /// What the subtrees of a tree are built from, by several threads at the same time: each has its own positions.
 struct Material {
   Items& items;
   LargeVector<Number>& numbers;
-  LargeVector<MovingBox>& boxes;
+  LargeVector<BoundsByAxis>& boxes;
+  LargeVector<Node>& nodes;
   const std::function<MovingBox(Number)>& box_of;
 };
 
-/// Appends the tree over the positions [first, last), whose children are numbered from the beginning of `nodes`.
-void build(const Material& from, Number first, Number last, LargeVector<Node>& nodes) {
-  const std::size_t at = nodes.size();
-  nodes.push_back({empty_moving_box(), first, last, 0});
-  if (last - first <= kLeaf) {
-    std::sort(from.items.begin() + first, from.items.begin() + last,
-              [](const Item& i, const Item& j) { return i.number < j.number; });
-    for (Number i = first; i < last; ++i) {
-      from.numbers[i] = from.items[i].number;
-      from.boxes[i] = from.box_of(from.numbers[i]);
-      join(nodes[at].box, from.boxes[i]);
-    }
-    return;
-  }
-  const Number middle = split(from.items, first, last);
-  build(from, first, middle, nodes);
-  nodes[at].second = static_cast<Number>(nodes.size());
-  build(from, middle, last, nodes);
-  join(nodes[at].box, nodes[at + 1].box);
-  join(nodes[at].box, nodes[nodes[at].second].box);
+/// Makes an inner node of two others. @returns its number
+Number join_children(LargeVector<Node>& nodes, Number first, Number second) {
+  const Number at = place_of_inner(nodes[second].begin);
+  nodes[at] = {nodes[first].box, nodes[first].begin, nodes[second].end, first, second};
+  join_by_axis(nodes[at].box, nodes[second].box);
+  return at;
 }
 
-/// A node near the root. Its children are both 0, or numbers of other subtrees; without children, it has a tree of its
-/// own.
+/// Builds the tree over the positions [first, last). @returns the number of its root
+Number build(const Material& from, Number first, Number last) {
+  if (last - first > kLeaf) {
+    const Number middle = split(from.items, first, last);
+    const Number begin = build(from, first, middle);
+    return join_children(from.nodes, begin, build(from, middle, last));
+  }
+  std::sort(from.items.begin() + first, from.items.begin() + last,
+            [](const Item& i, const Item& j) { return i.number < j.number; });
+  const Number at = place_of_leaf(first);
+  from.nodes[at] = {by_axis(empty_moving_box()), first, last, 0, 0};
+  for (Number i = first; i < last; ++i) {
+    from.numbers[i] = from.items[i].number;
+    from.boxes[i] = by_axis(from.box_of(from.numbers[i]));
+    join_by_axis(from.nodes[at].box, from.boxes[i]);
+  }
+  return at;
+}
+
+/// A node near the root. Its children are both 0, or numbers of other subtrees.
 struct Subtree {
   Number begin, end;
   std::size_t children[2] = {0, 0};
-  LargeVector<Node> tree;
+  Number root = 0;  ///< of the tree over its boxes
 };
 
 constexpr Number kSubtreeBoxes = 2048;     // a subtree of so many boxes, or fewer, is not divided among threads
-constexpr std::size_t kSubtreeLevels = 6;  // 64 subtrees: enough for most machines, and few enough to put together fast
+constexpr std::size_t kSubtreeLevels = 6;  // 64 subtrees: enough for most machines
 
 /// The tree's upper levels, level by level, each level's nodes on several threads; then the trees below them.
-std::vector<Subtree> build_subtrees(const Material& from, int threads) {
+/// @returns the number of the root
+Number build_all(const Material& from, int threads) {
   std::vector<Subtree> subtrees(1);
   subtrees[0].begin = 0;
   subtrees[0].end = static_cast<Number>(from.items.size());
@@ -154,36 +207,22 @@ std::vector<Subtree> build_subtrees(const Material& from, int threads) {
         Subtree subtree;
         subtree.begin = bounds[child];
         subtree.end = bounds[child + 1];
-        subtrees.push_back(std::move(subtree));
+        subtrees.push_back(subtree);
       }
     }
     level_begin = level_end;
   }
   threads::for_each_range(subtrees.size(), 1, threads, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
-      if (subtrees[i].children[0] == 0) build(from, subtrees[i].begin, subtrees[i].end, subtrees[i].tree);
+      if (subtrees[i].children[0] == 0) subtrees[i].root = build(from, subtrees[i].begin, subtrees[i].end);
     }
   });
-  return subtrees;
-}
-
-/// Appends the subtree and all that is below it.
-void put_together(std::vector<Subtree>& subtrees, std::size_t subtree, LargeVector<Node>& nodes) {
-  const auto at = static_cast<Number>(nodes.size());
-  if (subtrees[subtree].children[0] == 0) {
-    for (Node& node : subtrees[subtree].tree) {
-      if (!node.is_leaf()) node.second += at;
-    }
-    nodes.insert(nodes.end(), subtrees[subtree].tree.begin(), subtrees[subtree].tree.end());
-    LargeVector<Node>().swap(subtrees[subtree].tree);
-    return;
+  for (std::size_t i = subtrees.size(); i-- > 0;) {  // children come after their parents
+    const auto& children = subtrees[i].children;
+    if (children[0] == 0) continue;
+    subtrees[i].root = join_children(from.nodes, subtrees[children[0]].root, subtrees[children[1]].root);
   }
-  nodes.push_back({empty_moving_box(), subtrees[subtree].begin, subtrees[subtree].end, 0});
-  put_together(subtrees, subtrees[subtree].children[0], nodes);
-  nodes[at].second = static_cast<Number>(nodes.size());
-  put_together(subtrees, subtrees[subtree].children[1], nodes);
-  join(nodes[at].box, nodes[at + 1].box);
-  join(nodes[at].box, nodes[nodes[at].second].box);
+  return subtrees[0].root;
 }
 
 /// Two nodes whose boxes are to be compared; `within`: one node, and both are it.
@@ -207,20 +246,20 @@ class Comparison {
 
   void across(Number in_a, Number in_b) const {
     const Node &x = a_.node(in_a), &y = b_.node(in_b);
-    if (!meet(x.box, y.box, until_())) return;
+    if (!meet_by_axis(x.box, y.box, until_())) return;
     if (x.is_leaf() && y.is_leaf()) {
       for (Number i = x.begin; i < x.end; ++i) {
-        const MovingBox& box = a_.box(i);
-        if (!meet(box, y.box, until_())) continue;
+        const BoundsByAxis& box = a_.box(i);
+        if (!meet_by_axis(box, y.box, until_())) continue;
         for (Number j = y.begin; j < y.end; ++j) {
-          if (meet(box, b_.box(j), until_())) found_(i, j);
+          if (meet_by_axis(box, b_.box(j), until_())) found_(i, j);
         }
       }
     } else if (divides_first(x, y)) {
-      across(in_a + 1, in_b);
+      across(x.first, in_b);
       across(x.second, in_b);
     } else {
-      across(in_a, in_b + 1);
+      across(in_a, y.first);
       across(in_a, y.second);
     }
   }
@@ -231,14 +270,14 @@ class Comparison {
     if (x.is_leaf()) {
       for (Number i = x.begin; i < x.end; ++i) {
         for (Number j = i + 1; j < x.end; ++j) {
-          if (meet(a_.box(i), a_.box(j), until_())) found_(i, j);
+          if (meet_by_axis(a_.box(i), a_.box(j), until_())) found_(i, j);
         }
       }
       return;
     }
-    within(at + 1);
+    within(x.first);
     within(x.second);
-    across(at + 1, x.second);
+    across(x.first, x.second);
   }
 
   void run(const Task& task) const { task.within ? within(task.a) : across(task.a, task.b); }
@@ -259,19 +298,19 @@ void divide(const BoxTree& a, const BoxTree& b, const Task& task, double until, 
       tasks.push_back(task);
       return;
     }
-    divide(a, b, {task.a + 1, task.a + 1, true}, until, tasks);
+    divide(a, b, {x.first, x.first, true}, until, tasks);
     divide(a, b, {x.second, x.second, true}, until, tasks);
-    divide(a, b, {task.a + 1, x.second, false}, until, tasks);
+    divide(a, b, {x.first, x.second, false}, until, tasks);
     return;
   }
-  if (!meet(x.box, y.box, until)) return;
+  if (!meet_by_axis(x.box, y.box, until)) return;
   if ((x.is_leaf() && y.is_leaf()) || x.size() + y.size() <= kTaskBoxes) {
     tasks.push_back(task);
   } else if (divides_first(x, y)) {
-    divide(a, b, {task.a + 1, task.b, false}, until, tasks);
+    divide(a, b, {x.first, task.b, false}, until, tasks);
     divide(a, b, {x.second, task.b, false}, until, tasks);
   } else {
-    divide(a, b, {task.a, task.b + 1, false}, until, tasks);
+    divide(a, b, {task.a, y.first, false}, until, tasks);
     divide(a, b, {task.a, y.second, false}, until, tasks);
   }
 }
@@ -311,7 +350,7 @@ double whole_step() noexcept { return 1; }
 }  // namespace
 
 BoxTree::BoxTree(std::size_t count, const std::function<MovingBox(Number)>& box_of, int threads)
-    : numbers_(count), boxes_(count) {
+    : numbers_(count), boxes_(count), nodes_(count == 0 ? 0 : place_of_leaf(static_cast<Number>(count)) + 1) {
   if (count == 0) return;
   Items items(count);
   constexpr std::size_t kItemsAtATime = 4096;
@@ -323,12 +362,7 @@ BoxTree::BoxTree(std::size_t count, const std::function<MovingBox(Number)>& box_
       std::copy_n(box.end.low.begin(), 3, items[i].at.begin() + 3);
     }
   });
-  std::vector<Subtree> subtrees = build_subtrees({items, numbers_, boxes_, box_of}, threads);
-  Items().swap(items);
-  std::size_t node_count = subtrees.size();
-  for (const Subtree& subtree : subtrees) node_count += subtree.tree.size();
-  nodes_.reserve(node_count);
-  put_together(subtrees, 0, nodes_);
+  root_ = build_all({items, numbers_, boxes_, nodes_, box_of}, threads);
 }
 
 MovingBox empty_moving_box() noexcept { return {empty_box(), empty_box()}; }
@@ -345,20 +379,15 @@ void join(MovingBox& box, const MovingBox& other) noexcept {
 }
 
 bool meet(const MovingBox& a, const MovingBox& b, double until) noexcept {
-  TimeInterval times{0, until};
-  for (std::size_t k = 0; k < 3; ++k) {
-    if (!keep_where_not_negative(b.start.high[k] - a.start.low[k], b.end.high[k] - a.end.low[k], times)) return false;
-    if (!keep_where_not_negative(a.start.high[k] - b.start.low[k], a.end.high[k] - b.end.low[k], times)) return false;
-  }
-  return times.from <= times.to + kTimesError;
+  return meet_by_axis(by_axis(a), by_axis(b), until);
 }
 
 void for_each_pair_block(const BoxTree& tree, const PairSearch& search, const PairBlockConsumer& take) {
-  if (!tree.empty()) run_all(tree, tree, {0, 0, true}, search, take);
+  if (!tree.empty()) run_all(tree, tree, {tree.root(), tree.root(), true}, search, take);
 }
 
 void for_each_pair_block(const BoxTree& a, const BoxTree& b, const PairSearch& search, const PairBlockConsumer& take) {
-  if (!a.empty() && !b.empty()) run_all(a, b, {0, 0, false}, search, take);
+  if (!a.empty() && !b.empty()) run_all(a, b, {a.root(), b.root(), false}, search, take);
 }
 
 void for_each_pair(const std::vector<MovingBox>& boxes, const PairConsumer& found) {
@@ -368,14 +397,14 @@ void for_each_pair(const std::vector<MovingBox>& boxes, const PairConsumer& foun
     const Number a = tree.number(i), b = tree.number(j);
     found(std::min(a, b), std::max(a, b));
   };
-  Comparison(tree, tree, whole_step, found_positions).within(0);
+  Comparison(tree, tree, whole_step, found_positions).within(tree.root());
 }
 
 void for_each_pair(const std::vector<MovingBox>& a, const std::vector<MovingBox>& b, const PairConsumer& found) {
   const BoxTree in_a(a.size(), [&](Number i) { return a[i]; }), in_b(b.size(), [&](Number i) { return b[i]; });
   if (in_a.empty() || in_b.empty()) return;
   const auto found_positions = [&](Number i, Number j) { found(in_a.number(i), in_b.number(j)); };
-  Comparison(in_a, in_b, whole_step, found_positions).across(0, 0);
+  Comparison(in_a, in_b, whole_step, found_positions).across(in_a.root(), in_b.root());
 }
 
 }  // namespace touchstone::broad_phase

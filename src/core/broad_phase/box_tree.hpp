@@ -30,6 +30,12 @@ void join(MovingBox& box, const MovingBox& other) noexcept;
 /// False proves that the boxes are disjoint at all times in [0, until], until <= 1. It is false where until <= -1.
 bool meet(const MovingBox& a, const MovingBox& b, double until = 1) noexcept;
 
+/// The same with the bounds of both ends side by side.
+struct BoundsByAxis {
+  typedef double AtBothEnds __attribute__((vector_size(16)));
+  AtBothEnds low[3], high[3];
+};
+
 /// A binary tree over boxes. The boxes of a node are near each other at both ends of the step.
 class BoxTree {
  public:
@@ -41,22 +47,24 @@ class BoxTree {
   BoxTree(std::size_t count, const std::function<MovingBox(Number)>& box_of, int threads = 1);
 
   struct Node {
-    MovingBox box;
-    Number begin, end;  ///< the positions of its boxes: begin, ..., end - 1
-    Number second;      ///< the second child; the first one comes next. 0: a leaf
+    BoundsByAxis box;
+    Number begin, end;     ///< the positions of its boxes: begin, ..., end - 1
+    Number first, second;  ///< the children; the second is 0 in a leaf
     bool is_leaf() const noexcept { return second == 0; }
     Number size() const noexcept { return end - begin; }
   };
 
   bool empty() const noexcept { return nodes_.empty(); }
+  Number root() const noexcept { return root_; }
   const Node& node(Number n) const noexcept { return nodes_[n]; }
   Number number(Number position) const noexcept { return numbers_[position]; }
-  const MovingBox& box(Number position) const noexcept { return boxes_[position]; }
+  const BoundsByAxis& box(Number position) const noexcept { return boxes_[position]; }
 
  private:
-  LargeVector<Number> numbers_;   // by position
-  LargeVector<MovingBox> boxes_;  // by position
-  LargeVector<Node> nodes_;
+  LargeVector<Number> numbers_;      // by position
+  LargeVector<BoundsByAxis> boxes_;  // by position
+  LargeVector<Node> nodes_;          // not all of its places hold one
+  Number root_ = 0;
 };
 
 /// The numbers of two boxes.
