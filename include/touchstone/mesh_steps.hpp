@@ -15,11 +15,13 @@ inline namespace TOUCHSTONE_ABI {
 /// are those of the functions of the same names, bit for bit, and come sooner: memory and the pairs that may meet are
 /// kept from one question to the next.
 ///
-/// The pairs of a step are found when a second question is much like it: all vertices start within a margin of where
-/// they started in that step, and end within the margin of where they were after a fraction s of at least 1/2 of it,
-/// one s for all vertices. From then on they are kept, for every s, until a question is not like that step, or has
-/// another kept_fraction. The margin is 3/64 of the mean length of an edge, along each axis; a mesh without edges has next to
-/// none, and keeps pairs for the same way only. Nothing is kept for a kept_fraction beyond 0.9.
+/// A step is kept as the *reference* for those after it. A question is like the reference if all vertices start within a
+/// margin of where they started there, and end within the margin of where they were after a fraction s of it, one s for
+/// all vertices, and if its kept_fraction is the same. The margin is 3/64 of the mean length of an edge, along each axis;
+/// a mesh without edges has next to none. Nothing is kept for a kept_fraction beyond 0.9.
+///
+/// The pairs that may meet in questions like the reference are found once: in the first question, which then takes up to
+/// twice its time, or in the second one if the reference before was of no use.
 ///
 /// It holds 96 bytes for each vertex and up to 16 for each pair that is kept, of which there are at most 64 for each
 /// vertex and edge. One object is used by one thread at a time; MeshOptions::threads says how many work on a question.

@@ -125,7 +125,7 @@ TEST_CASE("a contact at the edge of the margin is found among the pairs that are
     std::vector<double> far = x0;  // the reference: both move aside, as fast as each other
     for (std::size_t i = 1; i < far.size(); i += 3) far[i] += 0.25;
     for (int i = 0; i < 2; ++i) REQUIRE(steps.first_contact({x0, 3}, {far, 3}).free());
-    REQUIRE(steps.searches() == 2);
+    REQUIRE(steps.searches() == 1);
     const double s = random.unit();
     std::vector<double> x1 = between(x0, far, s);
     for (std::size_t i = 2; i < x1.size(); i += 3) x1[i] += i < 6 ? part : -part;
@@ -133,7 +133,7 @@ TEST_CASE("a contact at the edge of the margin is found among the pairs that are
     CAPTURE(round, part, s, turn);
     REQUIRE(found.contact);
     REQUIRE(same_bytes(found, first_contact(mesh, {x0, 3}, {x1, 3})));
-    (steps.searches() == 2 ? kept : anew) += 1;
+    (steps.searches() == 1 ? kept : anew) += 1;
   }
   CHECK(kept > 0);
   CHECK(anew > 0);
@@ -152,9 +152,34 @@ TEST_CASE("a pair that keeps too little by a move within the margin is among the
   for (std::size_t i = 2; i < x1.size(); i += 3) x1[i] += i < 6 ? 0.7 / 16 : -0.7 / 16;
   for (int i = 0; i < 2; ++i) REQUIRE(steps.free_step({x0, 3}, {x0, 3}, options).outcome == StepOutcome::whole);
   const FreeStep step = steps.free_step({x0, 3}, {x1, 3}, options);
-  CHECK(steps.searches() == 2);
+  CHECK(steps.searches() == 1);
   CHECK(step.outcome == StepOutcome::shortened);
   CHECK(same_bytes(step, free_step(mesh, {x0, 3}, {x1, 3}, options)));
+}
+
+TEST_CASE("pairs are kept from the first question on, or from the second if the reference before was of no use") {
+  MeshElements elements;
+  elements.vertex_count = 4;
+  elements.edges = {{0, 1}, {2, 3}};
+  MeshSteps steps{Mesh(elements)};
+  const std::vector<double> x0 = {0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 1, 1};
+  const auto ask_at = [&](double height) {
+    std::vector<double> x = x0;
+    for (std::size_t i = 2; i < x.size(); i += 3) x[i] += height;
+    CHECK(steps.first_contact({x, 3}, {x, 3}).free());
+    return steps.searches();
+  };
+  CHECK(ask_at(0) == 1);
+  CHECK(ask_at(0) == 1);
+  CHECK(ask_at(1) == 2);  // kept at once
+  CHECK(ask_at(2) == 3);  // the one before was of no use
+  CHECK(ask_at(2) == 4);
+  CHECK(ask_at(2) == 4);
+  CHECK(ask_at(3) == 5);
+  CHECK(ask_at(3) == 5);
+  steps.release();
+  CHECK(ask_at(3) == 6);
+  CHECK(ask_at(3) == 6);
 }
 
 TEST_CASE("kept steps: mistakes and stops leave them as they were") {

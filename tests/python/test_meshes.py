@@ -100,12 +100,13 @@ def test_steps_that_keep_what_they_found():
     mesh = ts.Mesh(x0, faces)
     steps = ts.MeshSteps(mesh)
     assert steps.mesh.faces.tolist() == mesh.faces.tolist() and steps.searches == 0
+    tries = [x0 + s * (x1 - x0) for s in (0.1, 0.1, 0.09, 0.08, 0.07, 0.06)]
+    assert list(steps.all_contacts(x0, tries[0])) == list(ts.all_contacts(mesh, x0, tries[0]))
     with concurrent.futures.ThreadPoolExecutor(3) as pool:  # one object for all: each call is answered by itself
-        tries = [x0 + s * (x1 - x0) for s in (0.1, 0.1, 0.09, 0.08, 0.07, 0.06)]
         for x, found in zip(tries, pool.map(lambda x: steps.all_contacts(x0, x), tries)):
             expected = ts.all_contacts(mesh, x0, x)
             assert list(found) == list(expected) and found.answers.toi.tolist() == expected.answers.toi.tolist()
-    assert steps.searches == 2 and repr(steps) == "<MeshSteps: 2 searches>"
+    assert steps.searches == 1 and repr(steps) == "<MeshSteps: searches=1>"
     found, expected = steps.first_contact(x0, tries[4], threads=2), ts.first_contact(mesh, x0, tries[4])
     assert found.toi == expected.toi and list(found.first) == list(expected.first)
     step, expected = steps.free_step(x0, tries[4], 0.25), ts.free_step(mesh, x0, tries[4], 0.25)

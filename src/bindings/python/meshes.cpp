@@ -465,7 +465,7 @@ meet are kept. Several threads may use one object: their calls are answered one 
 >>> [steps.first_contact(x0, [[4 * s, 0, 0], [1, 0, 0]]).toi for s in (1, 0.5)]
 [0.25, 0.5]
 >>> steps
-<MeshSteps: 2 searches>)";
+<MeshSteps: searches=1>)";
 
 void define_steps(py::module_& module) {
   const auto t_max = py::arg("t_max") = 1.0;
@@ -508,7 +508,7 @@ void define_steps(py::module_& module) {
           "mesh", [](const SharedSteps& shared) { return shared.steps.mesh(); }, "the Mesh")
       .def_property_readonly("searches", &searches_of, "how many times the boxes of all elements were compared")
       .def("__repr__",
-           [](SharedSteps& shared) { return "<MeshSteps: " + std::to_string(searches_of(shared)) + " searches>"; });
+           [](SharedSteps& shared) { return "<MeshSteps: searches=" + std::to_string(searches_of(shared)) + ">"; });
 }
 
 }  // namespace

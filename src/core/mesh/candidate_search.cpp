@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <mutex>
+#include <utility>
 
 #include "filters/separation/distance_bound.hpp"
 #include "mesh/narrow.hpp"
@@ -100,6 +101,7 @@ bool is_near(double x, double y, double margin) noexcept { return std::fabs(x - 
 
 void CandidateSearch::release() noexcept {
   state_ = State::no_reference;
+  was_alike_ = true;
   Motion().swap(reference_);
   for (auto& pairs : pairs_) broad_phase::LargeVector<Pair>().swap(pairs);
 }
@@ -125,6 +127,7 @@ void CandidateSearch::refer_to(const Motion& motion, double kept_fraction) {
   if (kept_fraction > kMostBounded) return;
   reference_ = motion;
   kept_fraction_ = kept_fraction;
+  fraction_ = 1;
   const double length = mean_edge_length(mesh_, motion);
   margin_ = std::max(kMarginOfEdge * length, kLeastMargin * largest_coordinate(motion));
   double farthest = -1;
@@ -180,8 +183,16 @@ void CandidateSearch::collect(int threads, const std::atomic<bool>* stop) {
 void CandidateSearch::for_each_block(const Motion& motion, double kept_fraction, const broad_phase::PairSearch& search,
                                      const std::atomic<bool>* stop, const CandidateConsumer& take) {
   const bool alike = covers(motion, kept_fraction);
-  if (alike && state_ == State::without_lists && fraction_ >= kLeastFraction) collect(search.threads, stop);
-  if (alike && state_ == State::with_lists) {
+  // Lists are made at once if those of the last reference were of use, and for a second question about it.
+  bool keeps = alike;
+  if (alike) {
+    was_alike_ = true;
+  } else {
+    keeps = std::exchange(was_alike_, false);
+    refer_to(motion, kept_fraction);
+  }
+  if (keeps && state_ == State::without_lists && fraction_ >= kLeastFraction) collect(search.threads, stop);
+  if (keeps && state_ == State::with_lists) {
     for (const Kind kind : kKinds) {
       const auto& pairs = pairs_[static_cast<std::size_t>(kind)];
       threads::for_each_range(pairs.size(), broad_phase::kPairBlock, search.threads,
@@ -193,7 +204,7 @@ void CandidateSearch::for_each_block(const Motion& motion, double kept_fraction,
     }
     return;
   }
-  if (!alike || state_ == State::without_lists) refer_to(motion, kept_fraction);
+  if (alike && state_ == State::without_lists) refer_to(motion, kept_fraction);
   ++searches_;
   for_each_candidate_block(mesh_, motion, reach_of(mesh_, motion, kept_fraction), search, take);
 }

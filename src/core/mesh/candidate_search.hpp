@@ -52,7 +52,8 @@ class CandidateSearch {
   double margin_ = 0;
   std::size_t farthest_ = 0;        // the vertex of which a coordinate moves farthest in the reference,
   double Vec3::*along_ = &Vec3::x;  // and that coordinate
-  double fraction_ = 0;             // s of the last motion that was covered
+  double fraction_ = 1;             // s of the last motion that was covered
+  bool was_alike_ = true;           // whether the reference covered a later motion; true before the first
   std::array<broad_phase::LargeVector<broad_phase::Pair>, kKinds.size()> pairs_;
   std::size_t searches_ = 0;
 };
