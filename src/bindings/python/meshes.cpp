@@ -152,19 +152,23 @@ auto asked(SharedSteps& shared, const Ask& ask) {
   return ask();
 }
 
-/// A function of a mesh, or of its SharedSteps, and of the positions at both ends of a step. It reads of the options
-/// what it has.
+/// Asks a question about a step of a mesh, or of its SharedSteps. The function reads of the options what it has.
+template <class Of, class Options, class Function>
+auto ask_about_step(Of& of, py::handle x0, py::handle x1, Options options, const Function& function) {
+  const Mesh& mesh = mesh_of(of);
+  const PositionArray start(x0, mesh, "x0"), end(x1, mesh, "x1");
+  return in_background(mesh.vertex_count(), [&](const std::atomic<bool>& stop) {
+    options.stop = &stop;
+    return asked(of, [&] { return function(of, start.view(), end.view(), options); });
+  });
+}
+
 template <class Of = const Mesh, class Function>
 auto of_step(const Function& function) {
   return [function](Of& of, py::handle x0, py::handle x1, py::handle t_max, py::handle threads, bool check_start) {
-    const Mesh& mesh = mesh_of(of);
-    const PositionArray start(x0, mesh, "x0"), end(x1, mesh, "x1");
     FirstContactOptions options = options_of(t_max, threads);
     options.check_start = check_start;
-    return in_background(mesh.vertex_count(), [&](const std::atomic<bool>& stop) {
-      options.stop = &stop;
-      return asked(of, [&] { return function(of, start.view(), end.view(), options); });
-    });
+    return ask_about_step(of, x0, x1, options, function);
   };
 }
 
@@ -430,22 +434,18 @@ void define_free_step(py::module_& module) {
       });
 }
 
-/// As of_step, for free steps.
 template <class Of, class Function>
 auto of_free_step(const Function& function) {
-  return
-      [function](Of& of, py::handle x0, py::handle x1, py::handle kept_fraction, py::handle threads, bool check_start) {
-        const Mesh& mesh = mesh_of(of);
-        const PositionArray start(x0, mesh, "x0"), end(x1, mesh, "x1");
-        FreeStepOptions options;
-        options.kept_fraction = number_of(kept_fraction, "kept_fraction");
-        options.threads = threads_of(threads);
-        options.check_start = check_start;
-        return in_background(mesh.vertex_count(), [&](const std::atomic<bool>& stop) {
-          options.stop = &stop;
-          return asked(of, [&] { return Step{function(of, start.view(), end.view(), options), mesh.dimension()}; });
-        });
-      };
+  return [function](Of& of, py::handle x0, py::handle x1, py::handle fraction, py::handle threads, bool check_start) {
+    FreeStepOptions options;
+    options.kept_fraction = number_of(fraction, "kept_fraction");
+    options.threads = threads_of(threads);
+    options.check_start = check_start;
+    const auto step = [&](auto& asked_of, const Positions& start, const Positions& end, const FreeStepOptions& with) {
+      return Step{function(asked_of, start, end, with), mesh_of(of).dimension()};
+    };
+    return ask_about_step(of, x0, x1, options, step);
+  };
 }
 
 std::size_t searches_of(SharedSteps& shared) {
