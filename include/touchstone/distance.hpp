@@ -19,6 +19,15 @@ Distance distance(const Query& query, double t = 0, Metric metric = Metric::eucl
 Distance distance(const RationalQuery& query, double t = 0, Metric metric = Metric::euclidean);  ///< the same
 Distance distance(const CurvedQuery& query, double t = 0, Metric metric = Metric::euclidean);    ///< the same
 
+/// A number that is at least the Euclidean distance of the two elements at the time t, and at most 1 + 2^-20 times it,
+/// or the next double but one. It is much sooner found than the distance, unless the elements are very near each other,
+/// or nearly parallel.
+/// @param query  the two elements and their motion
+/// @param t      the time, 0 <= t <= 1
+/// @return the number, 0 for elements that touch; infinity where no double is great enough
+/// @throws InvalidQuery  for a NaN or infinite coordinate, or a t outside [0, 1]
+double distance_at_most(const Query& query, double t = 0);
+
 /// The distance of the two elements at the time t, compared exactly.
 /// @param query       the two elements and their motion
 /// @param t           the time, 0 <= t <= 1

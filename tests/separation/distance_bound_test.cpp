@@ -1,19 +1,23 @@
-// The bounds of a distance in doubles are above and below the distance, and not far from it: searches, judged by
-// compare_distance.
+// The bounds of a distance in doubles are above and below the distance, and not far from it: searches, judged by the
+// exact level.
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <array>
+#include <cfloat>
 #include <cmath>
 
 #include <touchstone/distance.hpp>
+#include <touchstone/error.hpp>
 
 #include "filters/separation/distance_bound.hpp"
 #include "seeded/rng.hpp"
 #include "support/catch.hpp"
+#include "support/exact_comparison.hpp"
 #include "support/slow_build.hpp"
 
 using namespace touchstone;
 using touchstone::tests::effort;
+using touchstone::tests::exactly_compared;
 
 namespace {
 
@@ -53,12 +57,12 @@ TEST_CASE("the bound of a distance is above it, and by at most 2^-20 of it") {
     const Query query = random_pair(random);
     const auto kind = static_cast<std::size_t>(query.kind);
     ++asked[kind];
-    const auto bound = filters::distance_bound(query.kind, query.start);
+    const auto bound = filters::distance_bound(query, 0);
     if (!bound) continue;
     ++bounded[kind];
     CAPTURE(round, name_of(query.kind), *bound, distance(query, 0).value);
-    REQUIRE(compare_distance(query, 0, {*bound}) <= 0);
-    REQUIRE(compare_distance(query, 0, {*bound * (1 - filters::kLoosestBound)}) >= 0);
+    REQUIRE(exactly_compared(query, 0, {*bound}) <= 0);
+    REQUIRE(exactly_compared(query, 0, {*bound * (1 - filters::kLoosestBound)}) >= 0);
   }
   for (const Kind kind : kKinds) {
     const auto k = static_cast<std::size_t>(kind);
@@ -68,11 +72,54 @@ TEST_CASE("the bound of a distance is above it, and by at most 2^-20 of it") {
 }
 
 TEST_CASE("there is no bound of a distance of touching elements, or of sizes without squares") {
-  const std::array<Vec3, 4> touching{{{0, 0, 0}, {1, 0, 0}, {0.5, -1, 0}, {0.5, 1, 0}}};
-  CHECK_FALSE(filters::distance_bound(Kind::edge_edge, touching));
-  CHECK_FALSE(filters::distance_bound(Kind::point_point, {{{1, 2, 3}, {1, 2, 3}, {}, {}}}));
-  for (const double size : {1e-200, 1e200, 1e308}) {
-    CHECK_FALSE(filters::distance_bound(Kind::vertex_face, {{{0, 0, size}, {0, 0, 0}, {size, 0, 0}, {0, size, 0}}}));
+  Query query;
+  query.start = query.end = {{{0, 0, 0}, {1, 0, 0}, {0.5, -1, 0}, {0.5, 1, 0}}};
+  CHECK_FALSE(filters::distance_bound(query, 0));
+  CHECK(distance_at_most(query) == 0);
+  query.kind = Kind::point_point;
+  query.start = query.end = {{{1, 2, 3}, {1, 2, 3}, {}, {}}};
+  CHECK_FALSE(filters::distance_bound(query, 0));
+  query.kind = Kind::vertex_face;
+  for (const double size : {0x1p-1074, 1e-200, 1e200, 1e308}) {
+    query.start = query.end = {{{0, 0, size}, {0, 0, 0}, {size, 0, 0}, {0, size, 0}}};
+    CHECK_FALSE(filters::distance_bound(query, 0));
+    CHECK(distance_at_most(query) == std::nextafter(size, INFINITY));
+  }
+  query.start[0].z = -DBL_MAX;
+  query.start[1].z = query.start[2].z = query.start[3].z = DBL_MAX;
+  CHECK(distance_at_most(query) == INFINITY);
+  CHECK_THROWS_AS(distance_at_most(query, 2), InvalidQuery);
+}
+
+TEST_CASE("distances are compared in doubles as they are compared exactly, at all times and in both metrics") {
+  seeded::Rng random(3813);
+  std::array<std::size_t, 4> quick{}, asked{};
+  for (std::size_t round = 0; round < effort(40000); ++round) {
+    Query query = random_pair(random);
+    const double size = std::fabs(query.start[0].x - query.start[1].x);
+    const double way = random.one_in(4) ? 0 : size * std::ldexp(1.0, random.between(-30, 30));
+    for (Vec3& x : query.end) x = sum(x, way, random_vector(random));
+    if (random.one_in(2)) std::swap(query.start, query.end);
+    const double time = random.pick(std::array{0.0, 1.0, 0.5, std::fabs(random.symmetric())});
+    const Metric metric = random.pick(std::array{Metric::euclidean, Metric::max});
+    const double away = random.one_in(2) ? random.symmetric() : std::ldexp(random.symmetric(), -random.between(1, 53));
+    const Separation separation{distance(query, time, metric).value * (1 + away), metric};
+    const int side = exactly_compared(query, time, separation);
+    CAPTURE(round, name_of(query.kind), time, separation.distance, name_of(metric));
+    REQUIRE(compare_distance(query, time, separation) == side);
+    const double most = distance_at_most(query, time);
+    REQUIRE(exactly_compared(query, time, {most}) <= 0);
+    REQUIRE(exactly_compared(query, time, {most * (1 - 0x1p-20)}) >= 0);
+    const int found = filters::side_of_distance(query, time, separation);
+    if (found != 0) REQUIRE(found == side);
+    if (std::fabs(away) < 0.5 || metric == Metric::max) continue;
+    ++asked[static_cast<std::size_t>(query.kind)];
+    quick[static_cast<std::size_t>(query.kind)] += found != 0;
+  }
+  for (const Kind kind : kKinds) {
+    const auto k = static_cast<std::size_t>(kind);
+    CAPTURE(name_of(kind), quick[k], asked[k]);
+    CHECK(2 * quick[k] > asked[k]);
   }
 }
 
@@ -91,10 +138,10 @@ TEST_CASE("a least distance is below the distance at all times, and not far belo
     REQUIRE(least >= 0);
     if (least == 0) continue;
     const double time = random.pick(std::array{0.0, 1.0, 0.5, std::fabs(random.symmetric())});
-    REQUIRE(compare_distance(query, time, {least}) >= 0);
+    REQUIRE(exactly_compared(query, time, {least}) >= 0);
     if (!at_rest) continue;
     ++asked;
-    close += compare_distance(query, 0, {least * (1 + 0x1p-20)}) <= 0;
+    close += exactly_compared(query, 0, {least * (1 + 0x1p-20)}) <= 0;
   }
   CAPTURE(close, asked);
   CHECK(2 * close > asked);

@@ -12,6 +12,7 @@
 #include "separation/distances.hpp"
 #include "support/answer_check.hpp"
 #include "support/catch.hpp"
+#include "support/exact_comparison.hpp"
 #include "support/query_families.hpp"
 #include "support/report.hpp"
 #include "support/slow_build.hpp"
@@ -47,24 +48,24 @@ Real distance_of_points(const Query& query, const std::array<double, 3>& a, cons
 
 std::string fault_in(const Query& query, const Separation& separation, const Answer& answer, Rng& rng) {
   const double d = separation.distance;
-  if (answer.starts_within != (compare_distance(query, 0, separation) <= 0)) return "starts_within is wrong";
+  if (answer.starts_within != (exactly_compared(query, 0, separation) <= 0)) return "starts_within is wrong";
   if (!answer.contact) {
     for (int i = 0; i < 4; ++i) {
-      if (compare_distance(query, i == 0 ? 1 : rng.unit(), separation) <= 0) return "no contact, but within";
+      if (exactly_compared(query, i == 0 ? 1 : rng.unit(), separation) <= 0) return "no contact, but within";
     }
     return "";
   }
   if (answer.nature == Nature::none || answer.trend == Trend::none) return "a contact without nature or trend";
-  if (compare_distance(query, answer.toi_upper, separation) > 0 && answer.nature != Nature::grazing &&
+  if (exactly_compared(query, answer.toi_upper, separation) > 0 && answer.nature != Nature::grazing &&
       answer.nature != Nature::isolated) {
     // The next double may be behind the contact's end where that is as near.
     const auto times = contact_times(query, separation);
     if (times.front().last.compare(answer.toi_upper) > 0) return "not within at toi_upper";
   }
-  if (answer.toi != answer.toi_upper && compare_distance(query, answer.toi, separation) <= 0) return "within at toi";
+  if (answer.toi != answer.toi_upper && exactly_compared(query, answer.toi, separation) <= 0) return "within at toi";
   for (int i = 0; i < 3; ++i) {
     const double before = answer.toi * rng.unit();
-    if (before < answer.toi && compare_distance(query, before, separation) <= 0) return "within before toi";
+    if (before < answer.toi && exactly_compared(query, before, separation) <= 0) return "within before toi";
   }
   double sums[2] = {0, 0};
   for (std::size_t i = 0; i < 3; ++i) {

@@ -68,7 +68,7 @@ KeptDistances::Kept KeptDistances::quick(const MeshPair& pair, const std::array<
   const double separation = separation_of(mesh_, pair, corners);
   if (fraction_ == 0) return {separation, false};
   if (fraction_ <= kMostBounded && metric() == Metric::euclidean) {
-    const auto bound = filters::distance_bound(pair.kind, query_of(motion_, pair.kind, corners).start);
+    const auto bound = filters::distance_bound(query_of(motion_, pair.kind, corners), 0);
     // So the distance to keep grows by less than 2^-10 of its excess over the separation.
     if (bound && filters::kLoosestBound * *bound <= 0x1p-11 * (*bound - separation)) {
       return {kept(separation, *bound), false};

@@ -1,7 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include <touchstone/distance.hpp>
 
+#include <cmath>
+#include <limits>
+#include <type_traits>
+
 #include "exact/exact.hpp"
+#include "filters/separation/distance_bound.hpp"
 #include "numbers/doubles/float_environment.hpp"
 #include "numbers/integers/limb_scratch.hpp"
 #include "solver/validate.hpp"
@@ -26,6 +31,9 @@ int compare(const AnyQuery& query, double t, const Separation& separation) {
   solver::validate(separation);
   solver::validate_time(t);
   solver::validate(query, t);
+  if constexpr (std::is_same_v<AnyQuery, Query>) {
+    if (const int side = filters::side_of_distance(query, t, separation)) return side;
+  }
   const numbers::LimbScratch scratch;
   return exact::compare_distance(query, t, separation);
 }
@@ -35,6 +43,16 @@ int compare(const AnyQuery& query, double t, const Separation& separation) {
 Distance distance(const Query& query, double t, Metric metric) { return distance_of(query, t, metric); }
 Distance distance(const RationalQuery& query, double t, Metric metric) { return distance_of(query, t, metric); }
 Distance distance(const CurvedQuery& query, double t, Metric metric) { return distance_of(query, t, metric); }
+
+double distance_at_most(const Query& query, double t) {
+  const numbers::DefaultFloatEnvironment environment;
+  solver::validate_time(t);
+  solver::validate(query, t);
+  if (const auto bound = filters::distance_bound(query, t)) return *bound;
+  const numbers::LimbScratch scratch;
+  if (exact::compare_distance(query, t, Separation()) == 0) return 0;
+  return std::nextafter(exact::distance_at(query, t, Metric::euclidean).value, std::numeric_limits<double>::infinity());
+}
 
 int compare_distance(const Query& query, double t, const Separation& separation) {
   return compare(query, t, separation);
