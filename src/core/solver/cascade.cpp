@@ -149,6 +149,10 @@ Answer answer(const Query& query, const Separation& separation, Method method, d
       trim(result, wanted);
       return result;
     }
+    if (wanted == Wanted::contact) {  // elements that touch are within every separation
+      const Answer touching = answer(query, method, t_max, wanted);
+      if (touching.contact) return touching;
+    }
   } else {
     validate_method(method);
     validate(query, t_max);
