@@ -195,11 +195,14 @@ SEPARATION_FAULTS = [
     ("kTurnError", "filters/separation/entry_walk.hpp", "kTurnError = 48 *", "kTurnError = 3 *"),
     ("change of the approach", "filters/separation/entry.cpp", "const double approach_error =\n        slope_error +",
      "const double approach_error = 0 *\n        slope_error +"),
-    ("kBoundError of a distance", "filters/separation/distance_bound.cpp", "kBoundError = 10 *", "kBoundError = 0.625 *"),
+    ("kError of a distance", "filters/separation/distance_bound.cpp", "kError = 16 *", "kError = 1 *"),
     ("kLargestGap of a distance", "filters/separation/distance_bound.cpp", "kLargestGap = 0x1p-22",
      "kLargestGap = 0x1p-16"),
-    ("kLargestError of a distance", "filters/separation/distance_bound.cpp", "kLargestError = 0x1p-23",
-     "kLargestError = 0x1p-17"),
+    ("kLargestError of a distance", "filters/separation/distance_bound.cpp", "kLargestError = 0x1p-24",
+     "kLargestError = 0x1p-18"),
+    ("the root of 3 in the metric max", "filters/separation/distance_bound.cpp", "kAboveRoot3 : 1", "1 : 1"),
+    ("both ends of a least distance", "filters/separation/distance_bound.cpp", "std::min(start.along(n), end.along(n))",
+     "start.along(n)"),
     ("kNormIncrease", "filters/separation/entry_walk.hpp", "kNormIncrease = 1 + 8 *", "kNormIncrease = 1 - 120 *"),
     ("slopes of a facet's level", "filters/separation/max_entry.cpp", "double first = speed + step_.size",
      "double first = speed"),
@@ -235,6 +238,7 @@ MESH_FAULTS = [
      "if (false) piece.middle"),
     ("margin of candidates that are kept", "mesh/candidate_search.cpp", "with_room(reach.same + wider)",
      "with_room(reach.same)"),
+    ("room of kept pairs", "mesh/candidate_search.cpp", "room_(2 * (1 +", "room_(1 * (1 +"),
     ("used part of the margin", "mesh/candidate_search.cpp", "kUsedMargin = 0.75", "kUsedMargin = 1.5"),
     ("margin of a kept fraction", "mesh/candidate_search.cpp", "(1 + 4 * kept_fraction_ / (1 - kept_fraction_))", "1"),
     ("reach of a kept fraction", "mesh/candidates.cpp", "reach += more;", ""),
@@ -437,11 +441,11 @@ def attacks(build, layer, seconds, jobs, quick, file=None):
     if layer == "separation":
         fuzz += ["--separation", "each"]
         # The long tests of that folder compare what the fuzzer compares.
-        searches = [tests("filters", 0.3, "[separation]"), tests("separation", 0.2, "*entries near*,patches*")]
+        searches = [tests("filters", 0.3, "[separation]"), tests("separation", 0.2, "*entries near*,patches*,* distance *,distances *")]
     elif layer == "exact":
         searches = [tests("exact", 0.5, "the near rungs*,the exact level*,V at a time*")]
     elif layer == "mesh":
-        searches = [tests("mesh", 1, "neighbours that*")]
+        searches = [tests("mesh", 1, "neighbours that*,*kept*,steps that keep*")]
         quick = True
     elif layer == "curved":
         nearest = CURVED_SEARCHES.get(file)

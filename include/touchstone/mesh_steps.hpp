@@ -12,19 +12,20 @@ namespace touchstone {
 inline namespace TOUCHSTONE_ABI {
 
 /// Questions about many steps of one mesh, such as the tries of a line search or the steps of a simulation. The results
-/// are those of the functions of the same names, bit for bit, and come sooner: memory and the pairs that may meet are
-/// kept from one question to the next.
+/// are those of the functions of the same names, bit for bit. Memory and the pairs that may meet are kept from one
+/// question to the next, so that questions which are alike are answered much sooner.
 ///
-/// A step is kept as the *reference* for those after it. A question is like the reference if all vertices start within a
-/// margin of where they started there, and end within the margin of where they were after a fraction s of it, one s for
-/// all vertices, and if its kept_fraction is the same. The margin is 3/64 of the mean length of an edge, along each axis;
-/// a mesh without edges has next to none. Nothing is kept for a kept_fraction beyond 0.9.
+/// A step is kept as the *reference* for those after it. A question is like the reference if all vertices start within
+/// a margin of where they started there, and end within the margin of where they were after a fraction s of it, one s
+/// for all vertices, and if its kept_fraction is the same. The margin is 3/64 of the mean length of an edge, along each
+/// axis; a mesh without edges has next to none. Nothing is kept for a kept_fraction beyond 0.9.
 ///
-/// The pairs that may meet in questions like the reference are found once: in the first question, which then takes up to
-/// twice its time, or in the second one if the reference before was of no use.
+/// The pairs that may meet in such questions are found once, by a search that takes longer than that for one step: in
+/// the first question about a reference, or in the second one where those of the reference before were of no use.
+/// Nothing is kept where elements are so crowded that for each vertex and edge more than 16 pairs are within the margin.
 ///
-/// It holds 96 bytes for each vertex and up to 16 for each pair that is kept, of which there are at most 64 for each
-/// vertex and edge. One object is used by one thread at a time; MeshOptions::threads says how many work on a question.
+/// It holds 96 bytes for each vertex and up to 16 for each pair that is kept. One object is used by one thread at a
+/// time; MeshOptions::threads says how many work on a question.
 class MeshSteps {
  public:
   /// @param mesh  the mesh; a copy of it is kept, which is cheap

@@ -7,6 +7,7 @@
 
 #include <touchstone/touchstone.hpp>
 
+#include "mesh/candidate_search.hpp"
 #include "mesh/same_bytes.hpp"
 #include "mesh/scenes.hpp"
 #include "support/catch.hpp"
@@ -182,6 +183,100 @@ TEST_CASE("pairs are kept from the first question on, or from the second if the 
   CHECK(ask_at(3) == 6);
 }
 
+/// Two loose points, and an edge of length 1 far away, so that the margin is 1/16. The points are `gap` apart at the
+/// start and move by the parts of the margin along each axis: outwards at the start, inwards at the end.
+struct TwoPoints {
+  Mesh mesh;
+  std::vector<double> at_rest;
+  std::vector<double> moved(double by) const {
+    std::vector<double> x = at_rest;
+    for (std::size_t k = 0; k < 3; ++k) {
+      x[k] += by / 16;
+      x[3 + k] -= by / 16;
+    }
+    return x;
+  }
+};
+
+TwoPoints two_points(double gap, const Separation& separation = {}) {
+  MeshElements elements;
+  elements.vertex_count = 4;
+  elements.edges = {{2, 3}};
+  elements.separation = separation;
+  const double side = gap / std::sqrt(3.0);
+  return {Mesh(elements), {0, 0, 0, side, side, side, 100, 0, 0, 101, 0, 0}};
+}
+
+TEST_CASE("two points that meet by moves of the whole margin, along all axes, are among the pairs that are kept") {
+  // Each may move by 3/64, so the gap falls by sqrt(3) 6/64 = 0.1624.
+  for (const Separation separation : {Separation{}, {0.015, Metric::euclidean}, {0.01, Metric::max}}) {
+    const double euclidean =
+        separation.metric == Metric::max ? std::sqrt(3.0) * separation.distance : separation.distance;
+    const TwoPoints points = two_points(0.1599 + euclidean, separation);
+    MeshSteps steps(points.mesh);
+    REQUIRE(steps.first_contact({points.at_rest, 3}, {points.at_rest, 3}).free());
+    const std::vector<double> end = points.moved(0.74);
+    const FirstContact found = steps.first_contact({points.at_rest, 3}, {end, 3});
+    CAPTURE(separation.distance);
+    CHECK(steps.searches() == 1);
+    CHECK(found.contact);
+    CHECK(same_bytes(found, first_contact(points.mesh, {points.at_rest, 3}, {end, 3})));
+  }
+}
+
+TEST_CASE("two points that keep too little, by a start farther apart and an end nearer, are among the pairs kept") {
+  for (const Metric metric : {Metric::euclidean, Metric::max}) {
+    const TwoPoints points = two_points(1.4, {0, metric});
+    MeshSteps steps(points.mesh);
+    FreeStepOptions options;
+    options.kept_fraction = 0.8;
+    REQUIRE(steps.free_step({points.at_rest, 3}, {points.at_rest, 3}, options).outcome == StepOutcome::whole);
+    const std::vector<double> start = points.moved(-0.74), end = points.moved(0.74);
+    const FreeStep step = steps.free_step({start, 3}, {end, 3}, options);
+    CHECK(steps.searches() == 1);
+    CHECK(step.outcome == StepOutcome::shortened);
+    CHECK(same_bytes(step, free_step(points.mesh, {start, 3}, {end, 3}, options)));
+  }
+}
+
+TEST_CASE("of pairs whose boxes meet, few are kept in a sheet, and none where too many do") {
+  using mesh::Index;
+  constexpr Index kSide = 20;
+  MeshElements sheet, crowd;
+  std::vector<double> x, y;
+  for (Index i = 0; i < kSide; ++i) {
+    for (Index j = 0; j < kSide; ++j) x.insert(x.end(), {0.1 * i, 0.1 * j, 0.03 * std::sin(0.7 * i + 0.3 * j)});
+  }
+  sheet.vertex_count = kSide * kSide;
+  for (Index i = 0; i + 1 < kSide; ++i) {
+    for (Index j = 0; j + 1 < kSide; ++j) {
+      const Index a = i * kSide + j, b = a + kSide;
+      sheet.faces.insert(sheet.faces.end(), {{a, b, a + 1}, {b, b + 1, a + 1}});
+    }
+  }
+  const Mesh mesh(sheet);
+  const mesh::Motion motion = mesh::motion_of(mesh.impl(), {x, 3}, {x, 3}, 1);
+  mesh::CandidateSearch search(mesh.impl());
+  std::size_t handed_out = 0;
+  const auto count = [&](Kind, const broad_phase::Pair*, std::size_t size) { handed_out += size; };
+  search.for_each_block(motion, 0, {}, nullptr, count);
+  CHECK(search.searches() == 1);
+  CHECK(candidates(mesh, {x, 3}, {x, 3}).size() > 500);
+  CHECK(handed_out == 0);
+
+  for (Index i = 0; i < 300; ++i) {
+    crowd.edges.push_back({2 * i, 2 * i + 1});
+    y.insert(y.end(), {0, 0, 1e-6 * i, std::cos(0.01 * i), std::sin(0.01 * i), 1e-6 * i});
+  }
+  crowd.vertex_count = 600;
+  MeshSteps steps{Mesh(crowd)};
+  for (const std::size_t searches : {2, 3, 4}) {  // the first one ends as soon as there are too many pairs
+    const auto found = steps.all_contacts({y, 3}, {y, 3});
+    CHECK(steps.searches() == searches);
+    CHECK(same_bytes(found, all_contacts(steps.mesh(), {y, 3}, {y, 3})));
+  }
+}
+
 TEST_CASE("kept steps: mistakes and stops leave them as they were") {
   MeshElements elements;
   elements.vertex_count = 4;
@@ -205,6 +300,7 @@ TEST_CASE("kept steps: mistakes and stops leave them as they were") {
   const std::atomic<bool> stop{true};
   FirstContactOptions stopped;
   stopped.stop = &stop;
+  steps.release();  // so that pairs are looked for again
   CHECK_THROWS_AS(steps.first_contact({x0, 3}, {x1, 3}, stopped), Stopped);
   for (int i = 0; i < 3; ++i) CHECK(steps.first_contact({x0, 3}, {x1, 3}).toi == 0.5);
   MeshSteps moved = std::move(steps);

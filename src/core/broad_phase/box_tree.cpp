@@ -83,7 +83,7 @@ void join_by_axis(BoundsByAxis& box, const BoundsByAxis& other) noexcept {
 }
 
 constexpr Number kLeaf = 8;            // boxes in a leaf, at most
-constexpr Number kFewest = kLeaf / 2;  // and, in each part of more, at least
+constexpr Number kFewest = kLeaf / 2;  // and, in each part of a larger node, at least
 
 /// A box's number, and its lower bounds at both ends.
 struct Item {
@@ -131,8 +131,8 @@ Number split(Items& items, Number first, Number last) {
 }
 
 // A node has a place of its own in the array, whatever is built before it: each leaf but the first begins where exactly
-// one inner node has its middle, and no two begin less than kFewest positions apart. Between two leaves is the node that
-// divides them.
+// one inner node has its middle, and no two begin less than kFewest positions apart. Between two leaves is the node
+// that divides them.
 Number place_of_leaf(Number first) noexcept { return first / kFewest * 2; }
 Number place_of_inner(Number middle) noexcept { return middle / kFewest * 2 - 1; }
 

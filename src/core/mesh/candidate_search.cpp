@@ -31,11 +31,9 @@ constexpr double kLeastMargin = 0x1p-40;
 /// Motions are compared with this fraction of the margin: the rest covers the errors of y(s) and of the comparison.
 constexpr double kUsedMargin = 0.75;
 
-/// Lists of a path that is a smaller fraction of the reference are not made: its own are shorter too.
-constexpr double kLeastFraction = 0.5;
-
-/// Candidates for each vertex and edge, at most: where there are more, keeping them costs more than it saves.
-constexpr std::size_t kMostForEach = 64;
+/// Pairs of boxes that meet, for each vertex and edge, at most: where there are more, keeping pairs costs more than it
+/// saves.
+constexpr std::size_t kMostForEach = 16;
 
 double largest_coordinate(const Motion& motion) noexcept {
   double largest = 0;
@@ -59,11 +57,11 @@ double mean_edge_length(const Mesh::Impl& mesh, const Motion& motion) noexcept {
 
 /// The pairs that may come as near as they are to keep, in a motion within the margin of the reference.
 ///
-/// Proof: let L be a lower bound of a pair's distance in the reference at all times, and a the distance that a vertex is
-/// off at most: sqrt(3) m. An element of the motion is at each time within a of one of the reference. So the pair's
-/// distance is at least L - 2 a. What it is to keep is d + f (D0 - d). D0, at the start, is at most 2 a more than in the
-/// reference: so what is to be kept is at most 2 f a more than there. The pair keeps it if L >= k + 2 (1 + f) a, for
-/// the k of the reference. In the max metric a distance is at least the Euclidean one over sqrt(3), and off by 2 m: so
+/// Proof: let L be a lower bound of a pair's distance in the reference at all times, and a the distance that a vertex
+/// is off at most: sqrt(3) m. An element of the motion is at each time within a of one of the reference. So the pair's
+/// distance is at least L - 2 a. What it is to keep is d + f (D0 - d). D0, at the start, is at most 2 a more than in
+/// the reference: so what is to be kept is at most 2 f a more than there. The pair keeps it if L >= k + 2 (1 + f) a,
+/// for the k of the reference. In the max metric a distance is at least the Euclidean one over sqrt(3), and off by 2 m: so
 /// L >= sqrt(3) (k + 2 (1 + f) m).
 class NearPairs {
  public:
@@ -101,7 +99,7 @@ bool is_near(double x, double y, double margin) noexcept { return std::fabs(x - 
 
 void CandidateSearch::release() noexcept {
   state_ = State::no_reference;
-  was_alike_ = true;
+  of_use_ = true;
   Motion().swap(reference_);
   for (auto& pairs : pairs_) broad_phase::LargeVector<Pair>().swap(pairs);
 }
@@ -110,13 +108,14 @@ bool CandidateSearch::covers(const Motion& motion, double kept_fraction) noexcep
   if (state_ == State::no_reference || kept_fraction != kept_fraction_) return false;
   const MovingVertex& lead = reference_[farthest_];
   const double way = lead.end.*along_ - lead.start.*along_;
-  fraction_ = way == 0 ? 1 : std::clamp((motion[farthest_].end.*along_ - lead.start.*along_) / way, 0.0, 1.0);
+  const double fraction =
+      way == 0 ? 1 : std::clamp((motion[farthest_].end.*along_ - lead.start.*along_) / way, 0.0, 1.0);
   const double margin = kUsedMargin * margin_;
   for (std::size_t v = 0; v < motion.size(); ++v) {
     const MovingVertex &y = reference_[v], &x = motion[v];
     for (const auto axis : kAxes) {
       if (!is_near(x.start.*axis, y.start.*axis, margin)) return false;
-      if (!is_near(x.end.*axis, y.start.*axis + fraction_ * (y.end.*axis - y.start.*axis), margin)) return false;
+      if (!is_near(x.end.*axis, y.start.*axis + fraction * (y.end.*axis - y.start.*axis), margin)) return false;
     }
   }
   return true;
@@ -127,7 +126,6 @@ void CandidateSearch::refer_to(const Motion& motion, double kept_fraction) {
   if (kept_fraction > kMostBounded) return;
   reference_ = motion;
   kept_fraction_ = kept_fraction;
-  fraction_ = 1;
   const double length = mean_edge_length(mesh_, motion);
   margin_ = std::max(kMarginOfEdge * length, kLeastMargin * largest_coordinate(motion));
   double farthest = -1;
@@ -155,7 +153,7 @@ void CandidateSearch::collect(int threads, const std::atomic<bool>* stop) {
   for (auto& pairs : pairs_) pairs.clear();
   const std::size_t most = kMostForEach * (mesh_.vertex_count + mesh_.edges.size());
   const NearPairs near(mesh_, reference_, kept_fraction_, margin_);
-  std::size_t count = 0;
+  std::atomic<std::size_t> count{0};
   std::mutex lock;
   std::atomic<double> until{1};
   ++searches_;
@@ -182,17 +180,13 @@ void CandidateSearch::collect(int threads, const std::atomic<bool>* stop) {
 
 void CandidateSearch::for_each_block(const Motion& motion, double kept_fraction, const broad_phase::PairSearch& search,
                                      const std::atomic<bool>* stop, const CandidateConsumer& take) {
+  // Lists are made for a second question about a reference, and at once if those of the reference before were of use.
   const bool alike = covers(motion, kept_fraction);
-  // Lists are made at once if those of the last reference were of use, and for a second question about it.
-  bool keeps = alike;
-  if (alike) {
-    was_alike_ = true;
-  } else {
-    keeps = std::exchange(was_alike_, false);
-    refer_to(motion, kept_fraction);
-  }
-  if (keeps && state_ == State::without_lists && fraction_ >= kLeastFraction) collect(search.threads, stop);
+  if (!alike) refer_to(motion, kept_fraction);
+  const bool keeps = alike || std::exchange(of_use_, false);
+  if (keeps && state_ == State::without_lists) collect(search.threads, stop);
   if (keeps && state_ == State::with_lists) {
+    if (alike) of_use_ = true;
     for (const Kind kind : kKinds) {
       const auto& pairs = pairs_[static_cast<std::size_t>(kind)];
       threads::for_each_range(pairs.size(), broad_phase::kPairBlock, search.threads,
@@ -204,7 +198,6 @@ void CandidateSearch::for_each_block(const Motion& motion, double kept_fraction,
     }
     return;
   }
-  if (alike && state_ == State::without_lists) refer_to(motion, kept_fraction);
   ++searches_;
   for_each_candidate_block(mesh_, motion, reach_of(mesh_, motion, kept_fraction), search, take);
 }

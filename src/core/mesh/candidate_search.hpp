@@ -13,10 +13,10 @@
 
 namespace touchstone::mesh {
 
-/// Keeps the candidates of a *reference*: an earlier motion, whose boxes are wider by a margin on all sides. They are
-/// handed out again for each motion that the reference covers. That is a motion of which all vertices start within the
-/// margin of where they started in the reference, and end within the margin of where they were after a fraction s of
-/// it, one s for all vertices.
+/// Keeps the candidates of a *reference*: an earlier motion, whose boxes are wider by a margin on all sides. Those that
+/// may come as near as they are to keep are handed out for each motion that the reference covers. That is a motion of
+/// which all vertices start within the margin of where they started in the reference, and end within the margin of
+/// where they were after a fraction s of it, one s for all vertices.
 ///
 /// Proof: let a vertex of the reference be at y(t) = y0 + t (y1 - y0), and of the motion at x(t) = (1 - t) x0 + t x1.
 /// If each coordinate of x0 is within m of y0, and of x1 within m of y(s), then that of x(t) is within
@@ -26,8 +26,8 @@ class CandidateSearch {
  public:
   explicit CandidateSearch(const Mesh::Impl& mesh) : mesh_(mesh) {}
 
-  /// Hands out, once, each pair that for_each_candidate_block does for the reach of this fraction, and perhaps others
-  /// that may collide. `search.until` has no effect on pairs that are kept.
+  /// Hands out, once, each pair that may collide and may come as near as it is to keep, and perhaps others that may
+  /// collide. `search.until` has no effect on pairs that are kept.
   void for_each_block(const Motion& motion, double kept_fraction, const broad_phase::PairSearch& search,
                       const std::atomic<bool>* stop, const CandidateConsumer& take);
 
@@ -52,8 +52,7 @@ class CandidateSearch {
   double margin_ = 0;
   std::size_t farthest_ = 0;        // the vertex of which a coordinate moves farthest in the reference,
   double Vec3::*along_ = &Vec3::x;  // and that coordinate
-  double fraction_ = 1;             // s of the last motion that was covered
-  bool was_alike_ = true;           // whether the reference covered a later motion; true before the first
+  bool of_use_ = true;              // whether a question after the first was answered by the lists; true without one
   std::array<broad_phase::LargeVector<broad_phase::Pair>, kKinds.size()> pairs_;
   std::size_t searches_ = 0;
 };
