@@ -72,7 +72,10 @@ struct touchstone_options {
   /** Of touchstone_solve and batches: one of touchstone_what_is_wanted. What is not wanted of a contact is as without
    *  contact, except that unwanted times are NaN. */
   int32_t wanted;
-  int32_t reserved; /**< of no meaning */
+
+  /** Of touchstone_mesh_free_step: 1 to end the step at positions that are float32 numbers, 0 otherwise. The start must
+   *  then be of such numbers, too. The other functions of meshes refuse 1. */
+  int32_t float32;
 
   /** Of touchstone_mesh_first_contact and touchstone_mesh_free_step: 1 to ask also whether the mesh intersects itself
    *  at the start, 0 to leave that out. A step is about a start that is free: where one element passes through another

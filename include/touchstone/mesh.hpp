@@ -11,6 +11,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <vector>
 
 #include <touchstone/answer.hpp>
@@ -156,14 +157,15 @@ class Mesh {
   std::shared_ptr<const Impl> impl_;
 };
 
-/// The positions of a mesh's vertices: a view of doubles in the caller's memory. Coordinate k of vertex v is
-/// data[v * vertex_stride + k * coordinate_stride].
+/// The positions of a mesh's vertices: a view of doubles or floats in the caller's memory. Coordinate k of vertex v is
+/// data[v * vertex_stride + k * coordinate_stride], or the same of `floats` where `data` is null.
 struct Positions {
   const double* data = nullptr;          ///< the first coordinate of the first vertex
+  const float* floats = nullptr;         ///< the same in single precision, in place of `data`
   std::size_t count = 0;                 ///< the number of vertices
   int dimension = 3;                     ///< 2 or 3 coordinates a vertex
-  std::ptrdiff_t vertex_stride = 3;      ///< doubles from a vertex to the next
-  std::ptrdiff_t coordinate_stride = 1;  ///< doubles from a coordinate to the next
+  std::ptrdiff_t vertex_stride = 3;      ///< numbers from a vertex to the next
+  std::ptrdiff_t coordinate_stride = 1;  ///< numbers from a coordinate to the next
 
   /// No positions.
   Positions() = default;
@@ -171,10 +173,15 @@ struct Positions {
   /// Contiguous positions: x y z x y z ..., or x y x y ... `first` points to the first coordinate of all.
   Positions(const double* first, std::size_t vertices, int coordinates = 3)
       : data(first), count(vertices), dimension(coordinates), vertex_stride(coordinates) {}
+  /// The same of floats. A null pointer is one to doubles.
+  template <class Float, class = std::enable_if_t<std::is_same_v<Float, float>>>
+  Positions(const Float* first, std::size_t vertices, int coordinates = 3)
+      : floats(first), count(vertices), dimension(coordinates), vertex_stride(coordinates) {}
 
-  /// The same of a vector of doubles. A remainder that is no whole vertex counts as one more vertex, and no function
+  /// The same of a vector. A remainder that is no whole vertex counts as one more vertex, and no function
   /// takes it.
-  Positions(const std::vector<double>& all, int coordinates)
+  template <class Number>
+  Positions(const std::vector<Number>& all, int coordinates)
       : Positions(all.data(), coordinates > 0 ? all.size() / static_cast<std::size_t>(coordinates) : 0, coordinates) {
     if (coordinates > 0 && all.size() % static_cast<std::size_t>(coordinates) != 0) ++count;
   }
@@ -366,6 +373,11 @@ struct FreeStepOptions : MeshOptions {
   double kept_fraction = 0;
 
   bool check_start = false;  ///< as in FirstContactOptions
+
+  /// Whether the step ends at positions that are float32 numbers, for a simulator that stores its state so. Positions
+  /// rounded after the step may touch, or pass through each other. Those at the start must be float32 numbers, and those
+  /// at t = 1 are rounded to the nearest ones first.
+  bool float32 = false;
 };
 
 /// A step that is free of contact.
@@ -379,7 +391,8 @@ struct FreeStep {
 
   /// The positions at the end. Each coordinate is a double between x0 and x1, within one unit in its last place of
   /// e = x0 + length (x1 - x0). If e is next to nothing beside x0 and x1, the coordinate is within 2^-100 (|x0| + |x1|)
-  /// of it. A vertex has as many coordinates as the mesh has dimensions: x y z x y z ...
+  /// of it. With FreeStepOptions::float32 all that is said of doubles is about float32 numbers, of which no coordinate is
+  /// more than one unit in the last place from e. A vertex has as many coordinates as the mesh has dimensions: x y z x y z ...
   std::vector<double> positions;
 
   /// The first contact of the whole step, about the distances that the step is to keep. It says whether the start was
@@ -399,7 +412,8 @@ struct FreeStep {
 /// @param x1       the positions at t = 1
 /// @param options  how the question is answered
 /// @return the step
-/// @throws InvalidQuery  as first_contact, and for a fraction outside [0, 1)
+/// @throws InvalidQuery  as first_contact, for a fraction outside [0, 1), and with float32 for a start that is not of
+///                       float32 numbers, or an end beyond them
 FreeStep free_step(const Mesh& mesh, const Positions& x0, const Positions& x1, const FreeStepOptions& options = {});
 
 }  // namespace TOUCHSTONE_ABI

@@ -141,6 +141,32 @@ TEST_CASE("a mesh answers as the one of C++") {
   }
 }
 
+TEST_CASE("float32 is an option of free steps, and asks for a start of such numbers") {
+  touchstone_mesh_elements elements = TOUCHSTONE_MESH_ELEMENTS_INIT;
+  elements.vertex_count = 2;
+  touchstone_mesh* mesh = nullptr;
+  REQUIRE(touchstone_mesh_create(&elements, &mesh) == TOUCHSTONE_OK);
+  touchstone_options options = default_options();
+  options.float32 = 1;
+  std::vector<double> x0 = {0, 0, 0, 1, 0, 0}, x1 = {0.1, 0, 0, 1, 0, 0}, positions(6);
+  const auto status = [&] {
+    return touchstone_mesh_free_step(mesh, x0.data(), x1.data(), 6, &options, positions.data(), nullptr, nullptr,
+                                     nullptr);
+  };
+  CHECK(status() == TOUCHSTONE_OK);
+  CHECK(positions[0] == 0.1f);
+  x0[0] = 0.1;
+  CHECK(status() == TOUCHSTONE_INVALID_QUERY);
+  CHECK(message_has("no float32 number"));
+  touchstone_first_contact result = TOUCHSTONE_FIRST_CONTACT_INIT;
+  CHECK(touchstone_mesh_first_contact(mesh, x0.data(), x1.data(), 6, &options, &result, nullptr, nullptr) ==
+        TOUCHSTONE_INVALID_ARGUMENT);
+  CHECK(message_has("float32 is 1; it must be 0"));
+  options.float32 = 2;
+  CHECK(status() == TOUCHSTONE_INVALID_ARGUMENT);
+  touchstone_mesh_destroy(mesh);
+}
+
 TEST_CASE("the start of a step is asked about on request, and each sort of intersection arrives") {
   // An edge through a face, and a face that lies folded onto that one over their common edge.
   const std::vector<std::uint32_t> faces = {0, 1, 2, 0, 1, 3}, edges = {4, 5};

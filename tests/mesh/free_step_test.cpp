@@ -150,6 +150,84 @@ TEST_CASE("the path of a free step is free by brute force, and ends at the round
   CHECK(lost.back() < 4);
 }
 
+TEST_CASE("with float32 a step ends at floats, and its path is free by brute force") {
+  seeded::Rng random(302);
+  const auto to_floats = [](std::vector<double>& x) {
+    for (double& one : x) one = static_cast<float>(one);
+  };
+  std::map<StepOutcome, int> outcomes;
+  int rounded_into_contact = 0;
+  for (std::size_t round = 0; round < effort(200); ++round) {
+    for (const Layout layout : kLayouts) {
+      Scene scene = random_scene(random, layout, 10);
+      const double scale = std::ldexp(1.0, random.between(-20, 20));
+      for (double& x : scene.x0) x *= scale;
+      for (double& x : scene.x1) x *= scale;
+      to_floats(scene.x0);
+      const Mesh mesh(scene.elements);
+      FreeStepOptions options;
+      options.float32 = true;
+      options.threads = random.one_in(4) ? 2 : 1;
+      const FreeStep step = free_step(mesh, scene.start(), scene.end(), options);
+      ++outcomes[step.outcome];
+      CAPTURE(round, scene.name, step.length);
+      to_floats(scene.x1);
+      std::vector<double> end = step.positions;
+      to_floats(end);
+      REQUIRE(step.positions == end);
+      if (step.outcome == StepOutcome::contact_at_start) continue;
+      REQUIRE(path_is_free(scene, end));
+      REQUIRE((step.outcome == StepOutcome::whole) == (end == scene.x1));
+      for (std::size_t i = 0; i < end.size(); ++i) {
+        const double a = scene.x0[i], b = scene.x1[i], exact = a + step.length * (b - a);
+        REQUIRE((std::min(a, b) <= end[i] && end[i] <= std::max(a, b)));
+        const auto near = static_cast<float>(exact);
+        REQUIRE((step.outcome == StepOutcome::no_room ||
+                 (std::nextafter(near, -INFINITY) <= end[i] && end[i] <= std::nextafter(near, INFINITY))));
+      }
+      if (step.outcome != StepOutcome::shortened) continue;
+      // The step that ends at doubles, rounded by the caller.
+      std::vector<double> later = free_step(mesh, scene.start(), scene.end()).positions;
+      to_floats(later);
+      rounded_into_contact += path_is_free(scene, later) ? 0 : 1;
+      std::vector<float> x0(scene.x0.begin(), scene.x0.end()), x1(scene.x1.begin(), scene.x1.end());
+      const int dimension = scene.elements.dimension;
+      REQUIRE(free_step(mesh, {x0, dimension}, {x1, dimension}, options).positions == end);
+    }
+  }
+  CHECK(outcomes[StepOutcome::whole] > 0);
+  CHECK(outcomes[StepOutcome::shortened] > 0);
+  if (whole_effort("steps that end at doubles touch when they are rounded")) CHECK(rounded_into_contact > 0);
+}
+
+TEST_CASE("with float32 a start between floats, and an end beyond them, are refused") {
+  MeshElements elements;
+  elements.vertex_count = 2;
+  const Mesh mesh(elements);
+  FreeStepOptions options;
+  options.float32 = true;
+  std::vector<double> x0 = {0, 0, 0, 1, 0, 0}, x1 = x0;
+  CHECK(free_step(mesh, {x0, 3}, {x1, 3}, options).outcome == StepOutcome::whole);
+  x1[4] = 0.1;
+  CHECK(free_step(mesh, {x0, 3}, {x1, 3}, options).positions[4] == 0.1f);
+  const auto refusal = [&] {
+    try {
+      free_step(mesh, {x0, 3}, {x1, 3}, options);
+    } catch (const InvalidQuery& error) {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  x1[4] = 0x1p128;
+  CHECK(refusal() ==
+        "vertex 1 has y = 3.4028236692093846e+38 at t = 1, which is beyond the largest float32 number, 3.4e38");
+  x1[4] = 0;
+  x0[5] = 0.5 + 0x1p-30;
+  CHECK(refusal() ==
+        "vertex 1 has z = 0.50000000093132257 at t = 0, which is no float32 number; with float32 a step "
+        "starts at such numbers");
+}
+
 TEST_CASE("a step towards a face stops at the last double above it") {
   Scene scene;
   scene.elements.vertex_count = 4;

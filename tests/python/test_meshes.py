@@ -231,3 +231,14 @@ def test_a_mesh_without_a_value_is_refused_by_the_functions():
         mesh.__init__(7, FACES)
         assert ts.first_contact(mesh, X0, X1).contact
     assert len(BOUND) >= 13
+
+
+def test_a_step_that_ends_at_floats():
+    mesh = ts.Mesh(2)
+    x0, x1 = np.float32([[0, 0, 0], [1, 0, 0]]), np.float32([[4.1, 0, 0], [1, 0, 0]])
+    step = ts.free_step(mesh, x0, x1, float32=True)
+    assert step.outcome == "shortened" and (step.positions.astype(np.float32) == step.positions).all()
+    assert step.positions[0, 0] == np.nextafter(np.float32(1), np.float32(0))
+    assert (ts.MeshSteps(mesh).free_step(x0, x1, float32=True).positions == step.positions).all()
+    with pytest.raises(ValueError, match="vertex 0 has x = 0.1.* at t = 0, which is no float32 number"):
+        ts.free_step(mesh, [[0.1, 0, 0], [1, 0, 0]], x1, float32=True)

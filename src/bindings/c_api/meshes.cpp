@@ -110,7 +110,7 @@ Positions positions_of(const Mesh& mesh, const double* first, std::size_t value_
 }
 
 /// The options of a mesh, which has its own separations.
-touchstone_options mesh_options(const touchstone_options* given) {
+touchstone_options mesh_options(const touchstone_options* given, bool has_float32 = false) {
   const touchstone_options options = options_of(given);
   if (options.separations != nullptr || options.separation_count != 0 || options.separation != 0) {
     throw InvalidArgument("a mesh has its own separations; those of the options must be 0 and null");
@@ -119,6 +119,10 @@ touchstone_options mesh_options(const touchstone_options* given) {
   wanted_of(options.wanted);
   if (options.check_start != 0 && options.check_start != 1) {
     throw InvalidArgument("check_start is " + std::to_string(options.check_start) + "; it must be 0 or 1");
+  }
+  if (options.float32 != 0 && (options.float32 != 1 || !has_float32)) {
+    throw InvalidArgument("float32 is " + std::to_string(options.float32) +
+                          (has_float32 ? "; it must be 0 or 1" : "; it must be 0: it is an option of free_step"));
   }
   return options;
 }
@@ -308,12 +312,13 @@ int touchstone_mesh_free_step(const touchstone_mesh* mesh, const double* x0, con
                               touchstone_first_contact* contact) {
   return guarded([&] {
     const Mesh& of = required(mesh, "mesh").mesh;
-    const touchstone_options options = mesh_options(given);
+    const touchstone_options options = mesh_options(given, true);
     if (!(options.t_max == 1)) throw InvalidArgument("a free step is over [0, 1]: t_max must be 1");
     array(positions, value_count, 1, "positions");
     if (contact != nullptr) check_size(*contact, "contact");
     FreeStepOptions asked{{options.threads}, options.kept_fraction};
     asked.check_start = options.check_start == 1;
+    asked.float32 = options.float32 == 1;
     const Positions start = positions_of(of, x0, value_count, "x0"), end = positions_of(of, x1, value_count, "x1");
     const FreeStep step = mesh->steps ? mesh->steps->free_step(start, end, asked) : free_step(of, start, end, asked);
     std::copy(step.positions.begin(), step.positions.end(), positions);

@@ -436,11 +436,13 @@ void define_free_step(py::module_& module) {
 
 template <class Of, class Function>
 auto of_free_step(const Function& function) {
-  return [function](Of& of, py::handle x0, py::handle x1, py::handle fraction, py::handle threads, bool check_start) {
+  return [function](Of& of, py::handle x0, py::handle x1, py::handle fraction, py::handle threads, bool check_start,
+                    bool float32) {
     FreeStepOptions options;
     options.kept_fraction = number_of(fraction, "kept_fraction");
     options.threads = threads_of(threads);
     options.check_start = check_start;
+    options.float32 = float32;
     const auto step = [&](auto& asked_of, const Positions& start, const Positions& end, const FreeStepOptions& with) {
       return Step{function(asked_of, start, end, with), mesh_of(of).dimension()};
     };
@@ -496,7 +498,7 @@ void define_steps(py::module_& module) {
                  return shared.steps.free_step(x0, x1, options);
                }),
            py::arg("x0"), py::arg("x1"), py::arg("kept_fraction") = 0.0, threads, py::kw_only(), check_start,
-           "As the function free_step, without its mesh.")
+           py::arg("float32") = false, "As the function free_step, without its mesh.")
       .def(
           "release",
           [](SharedSteps& shared) {

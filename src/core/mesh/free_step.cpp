@@ -43,9 +43,15 @@ double coordinate_at(double x0, double x1, double length) noexcept {
   return std::clamp(at, std::min(x0, x1), std::max(x0, x1));
 }
 
-Vec3 position_at(const MovingVertex& vertex, double length) noexcept {
-  return {coordinate_at(vertex.start.x, vertex.end.x, length), coordinate_at(vertex.start.y, vertex.end.y, length),
-          coordinate_at(vertex.start.z, vertex.end.z, length)};
+/// The same, rounded to the nearest float, for x0 and x1 that are floats: so it is between them, too.
+double float_at(double x0, double x1, double length) noexcept {
+  return static_cast<double>(static_cast<float>(coordinate_at(x0, x1, length)));
+}
+
+Vec3 position_at(const MovingVertex& vertex, double length, bool float32) noexcept {
+  const auto at = float32 ? float_at : coordinate_at;
+  return {at(vertex.start.x, vertex.end.x, length), at(vertex.start.y, vertex.end.y, length),
+          at(vertex.start.z, vertex.end.z, length)};
 }
 
 bool equal(const Vec3& a, const Vec3& b) noexcept { return a.x == b.x && a.y == b.y && a.z == b.z; }
@@ -53,7 +59,7 @@ bool equal(const Vec3& a, const Vec3& b) noexcept { return a.x == b.x && a.y == 
 /// The pairs that stand in the way of a step.
 class Obstacles {
  public:
-  Obstacles(const Mesh::Impl& mesh, const Motion& step) : mesh_(mesh), step_(step) {}
+  Obstacles(const Mesh::Impl& mesh, const Motion& step, bool float32) : mesh_(mesh), step_(step), float32_(float32) {}
 
   void add(const std::vector<MeshContact>& contacts) {
     for (const MeshContact& contact : contacts) {
@@ -81,16 +87,17 @@ class Obstacles {
     Separation separation;
   };
 
-  static bool is_met(const Obstacle& obstacle, double length) {
+  bool is_met(const Obstacle& obstacle, double length) const {
     Query path = obstacle.query;
     for (std::size_t c = 0; c < corner_count(path.kind); ++c) {
-      path.end[c] = position_at({path.start[c], path.end[c]}, length);
+      path.end[c] = position_at({path.start[c], path.end[c]}, length, float32_);
     }
     return solve(path, {.separation = obstacle.separation, .wanted = Wanted::contact}).contact;
   }
 
   const Mesh::Impl& mesh_;
   const Motion& step_;
+  bool float32_;
   std::vector<Obstacle> obstacles_;
 };
 
@@ -129,13 +136,39 @@ std::vector<double> packed(const Motion& motion, int dimension, bool at_end) {
 }
 
 /// The motion to the rounded positions after this length.
-Motion path_of(const Motion& step, double length, int threads) {
+Motion path_of(const Motion& step, double length, const FreeStepOptions& options) {
   Motion path(step.size());
   constexpr std::size_t kVerticesAtATime = 4096;
-  threads::for_each_range(step.size(), kVerticesAtATime, threads, [&](std::size_t first, std::size_t last) {
-    for (std::size_t v = first; v < last; ++v) path[v] = {step[v].start, position_at(step[v], length)};
+  threads::for_each_range(step.size(), kVerticesAtATime, options.threads, [&](std::size_t first, std::size_t last) {
+    for (std::size_t v = first; v < last; ++v) {
+      path[v] = {step[v].start, position_at(step[v], length, options.float32)};
+    }
   });
   return path;
+}
+
+/// Rounds the end of a step to floats.
+void round_to_floats(Motion& step) {
+  const auto refuse = [](std::size_t vertex, double Vec3::*axis, double x, const std::string& fault) {
+    char number[32];
+    std::snprintf(number, sizeof number, "%.17g", x);
+    throw InvalidQuery("vertex " + std::to_string(vertex) + " has " +
+                       "xyz"[axis == &Vec3::x ? 0 : (axis == &Vec3::y ? 1 : 2)] + " = " + number + fault);
+  };
+  for (std::size_t v = 0; v < step.size(); ++v) {
+    for (const auto axis : {&Vec3::x, &Vec3::y, &Vec3::z}) {
+      const double start = step[v].start.*axis;
+      double& end = step[v].end.*axis;
+      if (static_cast<double>(static_cast<float>(start)) != start) {
+        refuse(v, axis, start, " at t = 0, which is no float32 number; with float32 a step starts at such numbers");
+      }
+      const auto rounded = static_cast<double>(static_cast<float>(end));
+      if (!std::isfinite(rounded)) {
+        refuse(v, axis, end, " at t = 1, which is beyond the largest float32 number, 3.4e38");
+      }
+      end = rounded;
+    }
+  }
 }
 
 /// Whether some pair at the start is within its separation, and not merely within the distance that it is to keep,
@@ -151,6 +184,7 @@ bool is_in_contact(const Mesh::Impl& mesh, const Motion& step, const std::vector
 TOUCHSTONE_BEHIND_GUARD FreeStep find_step(const Mesh::Impl& mesh, const Positions& x0, const Positions& x1,
                                            const FreeStepOptions& options, StepMemory& memory) {
   set_motion(memory.motion, mesh, x0, x1, options.threads);
+  if (options.float32) round_to_floats(memory.motion);
   const Motion& step = memory.motion;
   const ContactSearch search{
       1, options.threads, options.kept_fraction, options.stop, options.check_start, memory.candidates()};
@@ -169,7 +203,7 @@ TOUCHSTONE_BEHIND_GUARD FreeStep find_step(const Mesh::Impl& mesh, const Positio
     result.positions = packed(step, mesh.dimension, true);
     return result;
   }
-  Obstacles obstacles(mesh, step);
+  Obstacles obstacles(mesh, step, options.float32);
   obstacles.add(result.first_contact.first);
   const FirstContact& contact = result.first_contact;
   const double before = contact.toi < contact.toi_upper ? contact.toi : next_below(contact.toi);
@@ -177,7 +211,7 @@ TOUCHSTONE_BEHIND_GUARD FreeStep find_step(const Mesh::Impl& mesh, const Positio
   while (true) {
     check_stop(options.stop);
     result.length = length_that_passes(obstacles, longest);
-    const Motion path = path_of(step, result.length, options.threads);
+    const Motion path = path_of(step, result.length, options);
     const bool moves =
         std::any_of(path.begin(), path.end(), [](const MovingVertex& v) { return !equal(v.start, v.end); });
     if (!moves || result.length == 0) {

@@ -24,11 +24,12 @@ void check_shape(const Mesh::Impl& mesh, const Positions& x, const char* when) {
     fail("which are those of " + std::to_string(x.count) + " vertices, do not fit a mesh of " +
          std::to_string(mesh.vertex_count) + " vertices");
   }
-  if (x.data == nullptr && x.count > 0) fail("which have no data, do not fit a mesh with vertices");
+  if (x.data == nullptr && x.floats == nullptr && x.count > 0) fail("which have no data, do not fit a mesh with vertices");
 }
 
 double coordinate(const Positions& x, std::size_t vertex, int k) noexcept {
-  return x.data[static_cast<std::ptrdiff_t>(vertex) * x.vertex_stride + k * x.coordinate_stride];
+  const std::ptrdiff_t at = static_cast<std::ptrdiff_t>(vertex) * x.vertex_stride + k * x.coordinate_stride;
+  return x.data != nullptr ? x.data[at] : static_cast<double>(x.floats[at]);
 }
 
 Vec3 vertex_at(const Positions& x, std::size_t vertex) noexcept {

@@ -79,11 +79,13 @@ def intersections(mesh: Mesh, x: ArrayLike, threads: int = 1) -> Intersections:
 
 
 def free_step(mesh: Mesh, x0: ArrayLike, x1: ArrayLike, kept_fraction: float = 0.0, threads: int = 1, *,
-              check_start: bool = False) -> FreeStep:
+              check_start: bool = False, float32: bool = False) -> FreeStep:
     """The longest step from x0 towards x1 that is proved free of contact, to positions rounded as they are returned.
 
     mesh, x0, x1, threads, check_start  as in `first_contact`
     kept_fraction  in [0, 1): each pair keeps more than this fraction of its distance at the start
+    float32        whether the positions at the end are float32 numbers, as those at the start must be then; x1 is rounded
+                   to such numbers first
 
     Returns a FreeStep with the attributes outcome, length, positions, first_contact and proofs. Raises what
     `first_contact` raises.
@@ -93,4 +95,4 @@ def free_step(mesh: Mesh, x0: ArrayLike, x1: ArrayLike, kept_fraction: float = 0
     >>> step.outcome, 0.249 < step.length < 0.25
     ('shortened', True)
     """
-    return _core.free_step(mesh, x0, x1, kept_fraction, threads, check_start)
+    return _core.free_step(mesh, x0, x1, kept_fraction, threads, check_start, float32)
