@@ -24,6 +24,7 @@
 #include "cli/mesh/mesh.hpp"
 #include "cli/prove.hpp"
 #include "cli/report/report.hpp"
+#include "cli/scenes/scenes.hpp"
 #include "cli/shared/build_facts.hpp"
 #include "cli/shared/progress/interrupt.hpp"
 #include "cli/shared/words.hpp"
@@ -117,6 +118,7 @@ int parse_and_run(int argc, const char* const* argv) {
   add_simulate(program, command);
   add_mesh(program, command);
   add_merge(program, command);
+  add_scenes(program, command);
   add_doctor(program, command);
   add_describe(program, command);
   try {
