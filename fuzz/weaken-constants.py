@@ -441,7 +441,8 @@ def attacks(build, layer, seconds, jobs, quick, file=None):
     if layer == "separation":
         fuzz += ["--separation", "each"]
         # The long tests of that folder compare what the fuzzer compares.
-        searches = [tests("filters", 0.3, "[separation]"), tests("separation", 0.2, "*entries near*,patches*,* distance *,distances *")]
+        searches = [tests("filters", 0.3, "[separation]"),
+                    tests("separation", 0.2, "*entries near*,patches*,* distance *,distances *")]
     elif layer == "exact":
         searches = [tests("exact", 0.5, "the near rungs*,the exact level*,V at a time*")]
     elif layer == "mesh":

@@ -26,7 +26,7 @@ Distance distance(const CurvedQuery& query, double t = 0, Metric metric = Metric
 /// @param t      the time, 0 <= t <= 1
 /// @return the number, 0 for elements that touch; infinity where no double is great enough
 /// @throws InvalidQuery  for a NaN or infinite coordinate, or a t outside [0, 1]
-double distance_at_most(const Query& query, double t = 0);
+double distance_upper_bound(const Query& query, double t = 0);
 
 /// The distance of the two elements at the time t, compared exactly.
 /// @param query       the two elements and their motion

@@ -147,14 +147,16 @@ PointPoint point_point(const Eigen::DenseBase<P>& p, const Eigen::DenseBase<Q>& 
   return {{to_vec3(p), to_vec3(q)}, {to_vec3(p_end), to_vec3(q_end)}};
 }
 
-/// A view of the rows of a matrix of doubles, one vertex a row: N x 3, or N x 2 for a mesh in the plane. The matrix may
+/// A view of the rows of a matrix of doubles or floats, one vertex a row: N x 3, or N x 2 for a mesh in the plane. The matrix may
 /// be row-major or column-major, a Map or a block. The view is valid as long as the matrix's memory.
 /// @param rows  the matrix; not an expression, whose values are not in memory
 /// @return the view
 /// @throws InvalidQuery  for a matrix that has neither two nor three columns
 template <typename Derived>
 Positions to_positions(const Eigen::DenseBase<Derived>& rows) {
-  static_assert(std::is_same_v<typename Derived::Scalar, double>, "positions are doubles: cast them to double");
+  using Scalar = typename Derived::Scalar;
+  static_assert(std::is_same_v<Scalar, double> || std::is_same_v<Scalar, float>,
+                "positions are doubles or floats: cast them");
   static_assert((Derived::Flags & Eigen::DirectAccessBit) != 0, "store the expression in a matrix first");
   constexpr int column_count = Derived::ColsAtCompileTime;
   static_assert(column_count == Eigen::Dynamic || column_count == 2 || column_count == 3,

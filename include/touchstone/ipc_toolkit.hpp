@@ -65,9 +65,10 @@ class WithRescaling<Base, std::void_t<decltype(std::declval<Base&>().conservativ
 /// free of contact: that very step was asked about. Without contact toi is infinity.
 ///
 /// With a rescaling s below 1, toi is the first time at which the distance is down to min_distance + (1 - s) (d0 -
-/// min_distance), where d0 is the distance at t = 0, or up to s 2^-10 of that gap more. ipc-toolkit passes the least toi so far as the tmax of the next
-/// pair. So that the least toi does not depend on the order of the pairs, such an object also returns true if the first
-/// contact is in (tmax, 1] and toi is less than tmax. For tmax = 1 it returns true exactly when there is contact.
+/// min_distance), where d0 is the distance at t = 0, or up to s 2^-10 of that gap more. ipc-toolkit passes the least
+/// toi so far as the tmax of the next pair. So that the least toi does not depend on the order of the pairs, such an
+/// object also returns true if the first contact is in (tmax, 1] and toi is less than tmax. For tmax = 1 it returns
+/// true exactly when there is contact.
 class ExactNarrowPhaseCCD : public detail::WithRescaling<ipc::NarrowPhaseCCD> {
  public:
   /// The default rescaling: the times are exact, so no fraction of the step is given away.
@@ -179,7 +180,7 @@ class ExactNarrowPhaseCCD : public detail::WithRescaling<ipc::NarrowPhaseCCD> {
   /// A distance that is greater than min_distance and less than the distance at the start; min_distance where no double
   /// is between them.
   double kept_distance(const Query& query, double min_distance) const {
-    double start = distance_at_most(query);
+    double start = distance_upper_bound(query);
     // That is at most 2^-20 of it too great, which is to be much less than the rest of the gap.
     if (!(0x1p-20 * start <= 0x1p-10 * this->conservative_rescaling * (start - min_distance))) {
       start = distance(query).value;

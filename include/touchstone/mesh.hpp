@@ -180,14 +180,21 @@ struct Positions {
 
   /// The same of a vector. A remainder that is no whole vertex counts as one more vertex, and no function
   /// takes it.
-  template <class Number>
-  Positions(const std::vector<Number>& all, int coordinates)
-      : Positions(all.data(), coordinates > 0 ? all.size() / static_cast<std::size_t>(coordinates) : 0, coordinates) {
-    if (coordinates > 0 && all.size() % static_cast<std::size_t>(coordinates) != 0) ++count;
-  }
+  Positions(const std::vector<double>& all, int coordinates)
+      : Positions(all.data(), whole_vertices(all.size(), coordinates), coordinates) {}
+  /// The same of floats.
+  template <class Float, class = std::enable_if_t<std::is_same_v<Float, float>>>
+  Positions(const std::vector<Float>& all, int coordinates)
+      : Positions(all.data(), whole_vertices(all.size(), coordinates), coordinates) {}
 
   /// Three coordinates a vertex.
   Positions(const std::vector<Vec3>& all) : Positions(all.empty() ? nullptr : &all[0].x, all.size()) {}
+
+ private:
+  static std::size_t whole_vertices(std::size_t numbers, int coordinates) noexcept {
+    const auto each = static_cast<std::size_t>(coordinates);
+    return coordinates > 0 ? (numbers + each - 1) / each : 0;
+  }
 };
 
 /// A long call was asked to stop, by MeshOptions::stop.
@@ -347,10 +354,11 @@ std::vector<Intersection> intersections(const Mesh& mesh, const Positions& x, co
 
 /// How a step was shortened.
 enum class StepOutcome : std::uint8_t {
-  whole,      ///< the whole step is free: the length is 1, and the positions are x1, bit for bit
+  whole,      ///< the whole step is free: the length is 1, and the positions are x1, bit for bit, or rounded to float32
   shortened,  ///< the step was shortened, and some vertex moves
 
-  /// No pair is in contact at the start, but every step that moves a vertex to another double ends in a contact.
+  /// No pair is in contact at the start, but every step that moves a vertex to another double, or float32, ends in
+  /// a contact.
   no_room,
 
   contact_at_start,  ///< some pair is in contact at the start; the length is 0, and the positions are x0
@@ -375,8 +383,8 @@ struct FreeStepOptions : MeshOptions {
   bool check_start = false;  ///< as in FirstContactOptions
 
   /// Whether the step ends at positions that are float32 numbers, for a simulator that stores its state so. Positions
-  /// rounded after the step may touch, or pass through each other. Those at the start must be float32 numbers, and those
-  /// at t = 1 are rounded to the nearest ones first.
+  /// rounded after the step may touch, or pass through each other. Those at the start must be float32 numbers, and
+  /// those at t = 1 are rounded to the nearest ones first.
   bool float32 = false;
 };
 
@@ -389,10 +397,11 @@ struct FreeStep {
   /// distance at the start. The length of a step without room may be positive: its rounded positions are still x0.
   double length = 1;
 
-  /// The positions at the end. Each coordinate is a double between x0 and x1, within one unit in its last place of
-  /// e = x0 + length (x1 - x0). If e is next to nothing beside x0 and x1, the coordinate is within 2^-100 (|x0| + |x1|)
-  /// of it. With FreeStepOptions::float32 all that is said of doubles is about float32 numbers, of which no coordinate is
-  /// more than one unit in the last place from e. A vertex has as many coordinates as the mesh has dimensions: x y z x y z ...
+  /// The positions at the end. Each coordinate is a double between x0 and x1, within one unit in its last place of e =
+  /// x0 + length (x1 - x0). If e is next to nothing beside x0 and x1, the coordinate is within 2^-100 (|x0| + |x1|) of
+  /// it. With FreeStepOptions::float32 all that is said of doubles is about float32 numbers, of which no coordinate is
+  /// more than one unit in the last place from e. A vertex has as many coordinates as the mesh has dimensions: x y z x
+  /// y z ...
   std::vector<double> positions;
 
   /// The first contact of the whole step, about the distances that the step is to keep. It says whether the start was

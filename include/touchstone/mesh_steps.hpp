@@ -22,7 +22,8 @@ inline namespace TOUCHSTONE_ABI {
 ///
 /// The pairs that may meet in such questions are found once, by a search that takes longer than that for one step: in
 /// the first question about a reference, or in the second one where those of the reference before were of no use.
-/// Nothing is kept where elements are so crowded that for each vertex and edge more than 16 pairs are within the margin.
+/// Nothing is kept where elements are so crowded that for each vertex and edge more than 16 pairs are within the
+/// margin.
 ///
 /// It holds 96 bytes for each vertex and up to 16 for each pair that is kept. One object is used by one thread at a
 /// time; MeshOptions::threads says how many work on a question.

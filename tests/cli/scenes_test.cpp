@@ -1,5 +1,5 @@
-// touchstone scenes: steps of scenes as the public data set has them, against a truth that is known here; and the public
-// scenes themselves, where they are.
+// touchstone scenes: steps of scenes as the public data set has them, against a truth that is known here; and the
+// public scenes themselves, where they are.
 // SPDX-License-Identifier: MIT
 #include <filesystem>
 #include <memory>
@@ -80,8 +80,14 @@ TEST_CASE("scenes says which verdicts differ, which contacts have no truth, and 
   std::filesystem::remove_all(without->path("set/fall/boxes"));
   std::filesystem::remove_all(without->path("set/fall/mma_bool"));
   const Run none = run_program({"scenes", without->path("set")});
-  CHECK(none.status == 0);
-  CHECK(lines_of(none.out).back() == "1 step, 0 pairs: all as said; 0 contacts besides; 1 step without a truth");
+  CHECK(none.status == 1);
+  CHECK(lines_of(none.out).back() == "1 step, nothing was compared; 1 step without a truth");
+  const auto no_pairs = scene("[]", "[]");
+  no_pairs->write("set/fall/boxes/7vf.json", "[]");
+  no_pairs->write("set/fall/mma_bool/7vf_mma_bool.json", "[]");
+  const Run empty = run_program({"scenes", no_pairs->path("set")});
+  CHECK(empty.status == 1);
+  CHECK(lines_of(empty.out).back() == "1 step, 0 pairs: all as said; 3 contacts besides");
 }
 
 TEST_CASE("scenes refuses files that do not fit, and says what is wrong") {
@@ -90,12 +96,29 @@ TEST_CASE("scenes refuses files that do not fit, and says what is wrong") {
   check_refused(scene("[[8,12],[10,8],[6,9]]"), "12 is no edge, which have the numbers 6 to 11");
   check_refused(scene("[[8,9],[10,8],[6,9]]", "[true,2,false]"), "7ee_mma_bool.json: [1]: must be true or false");
   check_refused(scene("[[8,9]"), "7ee.json: ");
+  check_refused(scene("[[8,8],[10,8],[6,9]]"), "7ee.json: [0]: is an edge and itself");
+  check_refused(scene("[[8,9],[10,8],[9,8]]"), "7ee.json: [2]: is a pair that the list has already");
   const auto half = scene();
   std::filesystem::remove(half->path("set/fall/mma_bool/7ee_mma_bool.json"));
-  check_refused(half, "7ee_mma_bool.json: is missing: it says whether the pairs of ");
+  check_refused(half, "7ee.json: has no other half in ");
   const auto one = scene();
   std::filesystem::remove(one->path("set/fall/frames/fall8.obj"));
   check_refused(one, "holds no two mesh files");
+  const auto other = scene();
+  other->write("set/fall/boxes/9ee.json", "[]");
+  check_refused(other, "9ee.json: belongs to no step");
+  const auto unnumbered = scene();
+  for (const char* number : {"7", "8"}) {
+    std::filesystem::rename(unnumbered->path(std::string("set/fall/frames/fall") + number + ".obj"),
+                            unnumbered->path(std::string("set/fall/frames/") + number + "fall.obj"));
+  }
+  check_refused(unnumbered, "has a name that ends in no number");
+  const auto overwritten = scene();
+  const Run run =
+      run_program({"scenes", "--csv", overwritten->path("set/fall/boxes/7ee.json"), overwritten->path("set")});
+  CHECK(run.status == 2);
+  CHECK(overwritten->read("set/fall/boxes/7ee.json") == "[[8,9],[10,8],[6,9]]");
+  CHECK(run_program({"scenes", overwritten->path("nothing")}).status == 2);
   const auto empty = std::make_unique<TemporaryFolder>();
   std::filesystem::create_directories(empty->path("set"));
   check_refused(empty, "holds no scene");

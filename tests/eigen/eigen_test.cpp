@@ -141,6 +141,10 @@ TEST_CASE("positions and elements of a mesh are those of matrices, in either sto
     }
   }
   CHECK(touchstone::to_positions(by_columns).count == 5);
+  const Eigen::MatrixXf floats = by_columns.cast<float>();
+  const touchstone::Positions view = touchstone::to_positions(floats);
+  CHECK(view.data == nullptr);
+  CHECK(view.floats[2 * view.vertex_stride + view.coordinate_stride] == floats(2, 1));
   CHECK(touchstone::to_positions(by_columns.leftCols<2>()).dimension == 2);
   CHECK_THROWS_AS(touchstone::to_positions(by_columns.leftCols(1)), touchstone::InvalidQuery);
 

@@ -2,6 +2,7 @@
 // be.
 // SPDX-License-Identifier: MIT
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
 #include <limits>
@@ -160,7 +161,9 @@ TEST_CASE("with float32 a step ends at floats, and its path is free by brute for
   for (std::size_t round = 0; round < effort(200); ++round) {
     for (const Layout layout : kLayouts) {
       Scene scene = random_scene(random, layout, 10);
-      const double scale = std::ldexp(1.0, random.between(-20, 20));
+      // Some coordinates are below the least normal float, and some near the greatest.
+      const double scale =
+          std::ldexp(1.0, random.one_in(8) ? random.pick(std::array{-140, 100}) : random.between(-20, 20));
       for (double& x : scene.x0) x *= scale;
       for (double& x : scene.x1) x *= scale;
       to_floats(scene.x0);
@@ -168,6 +171,7 @@ TEST_CASE("with float32 a step ends at floats, and its path is free by brute for
       FreeStepOptions options;
       options.float32 = true;
       options.threads = random.one_in(4) ? 2 : 1;
+      if (random.one_in(3)) options.kept_fraction = random.uniform(0, 0.9);
       const FreeStep step = free_step(mesh, scene.start(), scene.end(), options);
       ++outcomes[step.outcome];
       CAPTURE(round, scene.name, step.length);
@@ -190,9 +194,16 @@ TEST_CASE("with float32 a step ends at floats, and its path is free by brute for
       std::vector<double> later = free_step(mesh, scene.start(), scene.end()).positions;
       to_floats(later);
       rounded_into_contact += path_is_free(scene, later) ? 0 : 1;
-      std::vector<float> x0(scene.x0.begin(), scene.x0.end()), x1(scene.x1.begin(), scene.x1.end());
+      std::vector<float> x0(scene.x0.begin(), scene.x0.end()), x1;
+      for (std::size_t i = 0; i < scene.x1.size(); ++i) {  // two floats from a coordinate to the next
+        x1.push_back(static_cast<float>(scene.x1[i]));
+        x1.push_back(NAN);
+      }
       const int dimension = scene.elements.dimension;
-      REQUIRE(free_step(mesh, {x0, dimension}, {x1, dimension}, options).positions == end);
+      Positions strided(x1.data(), scene.elements.vertex_count, dimension);
+      strided.coordinate_stride = 2;
+      strided.vertex_stride = 2 * dimension;
+      REQUIRE(free_step(mesh, {x0, dimension}, strided, options).positions == end);
     }
   }
   CHECK(outcomes[StepOutcome::whole] > 0);

@@ -75,7 +75,7 @@ TEST_CASE("there is no bound of a distance of touching elements, or of sizes wit
   Query query;
   query.start = query.end = {{{0, 0, 0}, {1, 0, 0}, {0.5, -1, 0}, {0.5, 1, 0}}};
   CHECK_FALSE(filters::distance_bound(query, 0));
-  CHECK(distance_at_most(query) == 0);
+  CHECK(distance_upper_bound(query) == 0);
   query.kind = Kind::point_point;
   query.start = query.end = {{{1, 2, 3}, {1, 2, 3}, {}, {}}};
   CHECK_FALSE(filters::distance_bound(query, 0));
@@ -83,12 +83,12 @@ TEST_CASE("there is no bound of a distance of touching elements, or of sizes wit
   for (const double size : {0x1p-1074, 1e-200, 1e200, 1e308}) {
     query.start = query.end = {{{0, 0, size}, {0, 0, 0}, {size, 0, 0}, {0, size, 0}}};
     CHECK_FALSE(filters::distance_bound(query, 0));
-    CHECK(distance_at_most(query) == std::nextafter(size, INFINITY));
+    CHECK(distance_upper_bound(query) == std::nextafter(size, INFINITY));
   }
   query.start[0].z = -DBL_MAX;
   query.start[1].z = query.start[2].z = query.start[3].z = DBL_MAX;
-  CHECK(distance_at_most(query) == INFINITY);
-  CHECK_THROWS_AS(distance_at_most(query, 2), InvalidQuery);
+  CHECK(distance_upper_bound(query) == INFINITY);
+  CHECK_THROWS_AS(distance_upper_bound(query, 2), InvalidQuery);
 }
 
 TEST_CASE("distances are compared in doubles as they are compared exactly, at all times and in both metrics") {
@@ -107,7 +107,7 @@ TEST_CASE("distances are compared in doubles as they are compared exactly, at al
     const int side = exactly_compared(query, time, separation);
     CAPTURE(round, name_of(query.kind), time, separation.distance, name_of(metric));
     REQUIRE(compare_distance(query, time, separation) == side);
-    const double most = distance_at_most(query, time);
+    const double most = distance_upper_bound(query, time);
     REQUIRE(exactly_compared(query, time, {most}) <= 0);
     REQUIRE(exactly_compared(query, time, {most * (1 - 0x1p-20)}) >= 0);
     const int found = filters::side_of_distance(query, time, separation);

@@ -31,7 +31,8 @@ using view::Triple;
 
 Vec3 vertex_at(const Positions& x, std::size_t vertex) {
   const auto coordinate = [&](std::ptrdiff_t k) {
-    return x.data[static_cast<std::ptrdiff_t>(vertex) * x.vertex_stride + k * x.coordinate_stride];
+    const std::ptrdiff_t at = static_cast<std::ptrdiff_t>(vertex) * x.vertex_stride + k * x.coordinate_stride;
+    return x.data != nullptr ? x.data[at] : static_cast<double>(x.floats[at]);
   };
   return {coordinate(0), coordinate(1), x.dimension == 3 ? coordinate(2) : 0};
 }

@@ -5,7 +5,11 @@
 
 #include <algorithm>
 #include <array>
+#include <filesystem>
+#include <map>
+#include <set>
 #include <system_error>
+#include <utility>
 
 #include <touchstone/error.hpp>
 
@@ -22,33 +26,78 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The files and folders in a folder, in the order of their names; none where it is none.
+/// The files and folders in a folder, in the order of their names, but those that are hidden.
 std::vector<fs::path> contents_of(const fs::path& folder) {
   std::vector<fs::path> all;
   std::error_code error;
-  for (fs::directory_iterator at(folder, error), end; !error && at != end; at.increment(error)) {
-    all.push_back(at->path());
+  fs::directory_iterator at(folder, error);
+  for (; !error && at != fs::directory_iterator(); at.increment(error)) {
+    if (at->path().filename().string().front() != '.') all.push_back(at->path());
   }
+  if (error) io::fail(folder.string(), error.message());
   std::sort(all.begin(), all.end());
   return all;
 }
 
-bool is_scene(const fs::path& folder) {
-  std::error_code ignored;
-  return fs::is_directory(folder / "frames", ignored);
+bool is_folder(const fs::path& folder) {
+  std::error_code error;
+  const auto status = fs::status(folder, error);
+  if (status.type() == fs::file_type::none) io::fail(folder.string(), error.message());  // it may be there
+  return fs::is_directory(status);
 }
 
 std::string digits_at_end(const std::string& name) {
   return name.substr(name.find_last_not_of("0123456789") + 1);  // npos + 1 is 0
 }
 
+/// Takes what the files of a folder say of the steps.
+/// @param ending  of a file's name after the step's number and "ee" or "vf"
+void add_truths(const fs::path& folder, const std::string& ending, std::string PublicStepFiles::Truth::*half,
+                std::map<std::string, PublicStepFiles>& steps) {
+  if (!is_folder(folder)) return;
+  for (const fs::path& file : contents_of(folder)) {
+    const std::string name = file.filename().string();
+    for (const auto& [suffix, truth] : {std::pair{"ee", &PublicStepFiles::edges}, {"vf", &PublicStepFiles::faces}}) {
+      const std::string end = suffix + ending;
+      if (!name.ends_with(end)) continue;
+      const auto step = steps.find(name.substr(0, name.size() - end.size()));
+      if (step == steps.end()) io::fail(file.string(), "belongs to no step: no frame's name ends in its number");
+      step->second.*truth.*half = file.string();
+    }
+  }
+}
+
+void check_halves(const PublicStepFiles::Truth& truth, const fs::path& scene) {
+  if (truth.pairs.empty() == truth.verdicts.empty()) return;
+  const bool has_pairs = !truth.pairs.empty();
+  io::fail(
+      has_pairs ? truth.pairs : truth.verdicts,
+      fmt::format("has no other half in {}", io::printable((scene / (has_pairs ? "mma_bool" : "boxes")).string())));
+}
+
 void add_steps(const fs::path& scene, std::vector<PublicStepFiles>& steps) {
   std::vector<std::string> frames;
   for (const fs::path& file : contents_of(scene / "frames")) frames.push_back(file.string());
-  frames = sequence::in_order(std::move(frames), sequence::Gaps::refused);
   if (frames.size() < 2) io::fail((scene / "frames").string(), "holds no two mesh files, which a step needs");
+  frames = sequence::in_order(std::move(frames), sequence::Gaps::refused);
+  std::map<std::string, PublicStepFiles> by_number;
+  std::vector<std::string> numbers;
   for (std::size_t i = 0; i + 1 < frames.size(); ++i) {
-    steps.push_back({scene, frames[i], frames[i + 1], digits_at_end(fs::path(frames[i]).stem().string())});
+    const std::string number = digits_at_end(fs::path(frames[i]).stem().string());
+    if (number.empty()) io::fail(frames[i], "has a name that ends in no number, which is to be the step's");
+    numbers.push_back(number);
+    PublicStepFiles& step = by_number[number];
+    step.name = scene.filename().string() + " " + number;
+    step.before = frames[i];
+    step.after = frames[i + 1];
+  }
+  add_truths(scene / "boxes", ".json", &PublicStepFiles::Truth::pairs, by_number);
+  add_truths(scene / "mma_bool", "_mma_bool.json", &PublicStepFiles::Truth::verdicts, by_number);
+  for (const std::string& number : numbers) {
+    PublicStepFiles& step = by_number[number];
+    check_halves(step.edges, scene);
+    check_halves(step.faces, scene);
+    steps.push_back(std::move(step));
   }
 }
 
@@ -59,11 +108,6 @@ frames::Frame read(const std::string& file, const std::shared_ptr<const frames::
   sequence::check_positions(frame, {file});
   if (frame.topology->dimension != 3) io::fail(file, "is in the plane; a public scene is in space");
   return frame;
-}
-
-json::JsonDocument read_list(const std::string& file) {
-  const auto content = io::WholeFile::read(file, io::kJsonLimits, throw_if_interrupted);
-  return json::parse_json(content.bytes());
 }
 
 /// The elements of a mesh by the numbers of the data set.
@@ -90,7 +134,9 @@ class PublicNumbers {
   static MeshIndex within(const json::JsonNode& node, std::size_t first, std::size_t count, const char* name) {
     const std::size_t number = node.index();
     if (number < first || number >= first + count) {
-      node.fail(fmt::format("{} is no {}, which have the numbers {} to {}", number, name, first, first + count - 1));
+      node.fail(count == 0 ? fmt::format("{} is no {}: there is none", number, name)
+                           : fmt::format("{} is no {}, which have the numbers {} to {}", number, name, first,
+                                         first + count - 1));
     }
     return static_cast<MeshIndex>(number - first);
   }
@@ -99,75 +145,73 @@ class PublicNumbers {
   std::vector<MeshIndex> edges_;  // by their order in the data set
 };
 
-/// Appends the pairs of one kind. @param suffix  "ee" or "vf"
-void add_judged(const PublicStepFiles& files, const char* suffix, const PublicNumbers& numbers,
-                std::vector<JudgedPair>& judged) {
-  const std::string boxes = (files.scene / "boxes" / (files.number + suffix + ".json")).string();
-  const std::string truths = (files.scene / "mma_bool" / (files.number + suffix + "_mma_bool.json")).string();
-  std::error_code ignored;
-  const bool has_boxes = fs::exists(boxes, ignored), has_truths = fs::exists(truths, ignored);
-  if (!has_boxes && !has_truths) return;
-  if (!has_boxes) io::fail(boxes, fmt::format("is missing: {} says the truth about its pairs", io::printable(truths)));
-  if (!has_truths)
-    io::fail(truths, fmt::format("is missing: it says whether the pairs of {} touch", io::printable(boxes)));
-  const auto read_pairs = [&] {
-    const json::JsonDocument document = read_list(boxes);
-    const bool edges = std::string_view(suffix) == "ee";
-    std::vector<MeshPair> pairs;
+/// What `read_it` gives; its errors name the file.
+template <class Item, class Read>
+std::vector<Item> read_list(const std::string& file, const Read& read_it) {
+  const auto content = io::WholeFile::read(file, io::kJsonLimits, throw_if_interrupted);
+  try {
+    const json::JsonDocument document = json::parse_json(content.bytes());
+    std::vector<Item> all;
     for (const json::JsonNode& node : json::JsonNode(document.value(), "the list").items()) {
-      const std::vector<json::JsonNode> two = node.items();
-      if (two.size() != 2) node.fail(fmt::format("has {} numbers; a pair has 2", two.size()));
-      if (edges) {
-        const MeshIndex a = numbers.edge(two[0]), b = numbers.edge(two[1]);
-        pairs.push_back({Kind::edge_edge, std::min(a, b), std::max(a, b)});
-      } else {
-        pairs.push_back({Kind::vertex_face, numbers.vertex(two[0]), numbers.face(two[1])});
-      }
+      all.push_back(read_it(node));
     }
-    return pairs;
-  };
-  const auto read_truths = [&] {
-    const json::JsonDocument document = read_list(truths);
-    std::vector<bool> all;
-    for (const json::JsonNode& node : json::JsonNode(document.value(), "the list").items())
-      all.push_back(node.boolean());
     return all;
-  };
-  const auto of_file = [](const std::string& file, const auto& read_it) {
-    try {
-      return read_it();
-    } catch (const FileError&) {
-      throw;
-    } catch (const Error& error) {
-      io::fail(file, error.what());
-    }
-  };
-  const std::vector<MeshPair> pairs = of_file(boxes, read_pairs);
-  const std::vector<bool> touches = of_file(truths, read_truths);
-  if (pairs.size() != touches.size()) {
-    io::fail(truths, fmt::format("has {}, and {} has {}", counted(touches.size(), "truth"), io::printable(boxes),
-                                 counted(pairs.size(), "pair")));
+  } catch (const Error& error) {
+    io::fail(file, error.what());
   }
-  for (std::size_t i = 0; i < pairs.size(); ++i) judged.push_back({pairs[i], touches[i]});
+}
+
+/// Appends the pairs of one kind.
+void add_judged(const PublicStepFiles::Truth& truth, bool edges, const PublicNumbers& numbers, PublicStep& step) {
+  if (truth.pairs.empty()) return;
+  std::set<MeshPair> once;
+  const auto read_pair = [&](const json::JsonNode& node) {
+    const std::vector<json::JsonNode> two = node.items();
+    if (two.size() != 2) node.fail(fmt::format("has {} numbers; a pair has 2", two.size()));
+    MeshPair pair{Kind::vertex_face, 0, 0};
+    if (edges) {
+      const auto [a, b] = std::minmax({numbers.edge(two[0]), numbers.edge(two[1])});
+      if (a == b) node.fail("is an edge and itself");
+      pair = {Kind::edge_edge, a, b};
+    } else {
+      pair = {Kind::vertex_face, numbers.vertex(two[0]), numbers.face(two[1])};
+    }
+    if (!once.insert(pair).second) node.fail("is a pair that the list has already");
+    return pair;
+  };
+  const std::vector<MeshPair> pairs = read_list<MeshPair>(truth.pairs, read_pair);
+  const std::vector<bool> touches =
+      read_list<bool>(truth.verdicts, [](const json::JsonNode& node) { return node.boolean(); });
+  if (pairs.size() != touches.size()) {
+    io::fail(truth.verdicts, fmt::format("has {}, and {} has {}", counted(touches.size(), "truth"),
+                                         io::printable(truth.pairs), counted(pairs.size(), "pair")));
+  }
+  step.has_truth = true;
+  for (std::size_t i = 0; i < pairs.size(); ++i) step.judged.push_back({pairs[i], touches[i]});
 }
 
 }  // namespace
 
-std::string PublicStepFiles::label() const {
-  return fs::path(scene).lexically_normal().filename().string() + (number.empty() ? "" : " " + number);
+std::vector<std::string> PublicStepFiles::all() const {
+  std::vector<std::string> files = {before, after};
+  for (const Truth& truth : {edges, faces}) {
+    if (!truth.pairs.empty()) files.insert(files.end(), {truth.pairs, truth.verdicts});
+  }
+  return files;
 }
 
 std::vector<PublicStepFiles> find_public_steps(const std::vector<std::string>& folders) {
   std::vector<PublicStepFiles> steps;
   for (const std::string& name : folders) {
-    fs::path folder = name;
+    fs::path folder = fs::path(name).lexically_normal();
     if (!folder.has_filename()) folder = folder.parent_path();  // "scenes/"
+    if (!is_folder(folder)) io::fail(name, "is no folder");
     const std::size_t before = steps.size();
-    if (is_scene(folder)) {
+    if (is_folder(folder / "frames")) {
       add_steps(folder, steps);
     } else {
       for (const fs::path& inner : contents_of(folder)) {
-        if (is_scene(inner)) add_steps(inner, steps);
+        if (is_folder(inner) && is_folder(inner / "frames")) add_steps(inner, steps);
       }
     }
     if (steps.size() == before) {
@@ -179,14 +223,15 @@ std::vector<PublicStepFiles> find_public_steps(const std::vector<std::string>& f
 
 PublicStep read_public_step(const PublicStepFiles& files) {
   PublicStep step;
-  step.name = files.label();
+  step.name = files.name;
   const frames::Frame before = read(files.before, nullptr), after = read(files.after, before.topology);
   sequence::check_same_elements(*before.topology, {files.before}, *after.topology, {files.after});
   step.mesh = sequence::mesh_of(*before.topology, {}, files.before);
   step.x0 = before.positions;
   step.x1 = after.positions;
   const PublicNumbers numbers(step.mesh);
-  for (const char* suffix : {"ee", "vf"}) add_judged(files, suffix, numbers, step.judged);
+  add_judged(files.edges, true, numbers, step);
+  add_judged(files.faces, false, numbers, step);
   return step;
 }
 

@@ -114,7 +114,7 @@ StepResult check(const PublicStep& step, int threads) {
   }
   result.judged = judged.size();
   std::sort(judged.begin(), judged.end());
-  for (const MeshPair& pair : touching) {
+  for (const MeshPair& pair : step.has_truth ? touching : std::vector<MeshPair>()) {
     result.besides += std::binary_search(judged.begin(), judged.end(), pair) ? 0 : 1;
   }
   return result;
@@ -135,9 +135,8 @@ std::string for_person(const PublicStep& step, const StepResult& result) {
   text += fmt::format("  first contact  {} in {:.2f} ms\n", result.toi ? time_for_person(*result.toi) : "none",
                       1e3 * result.seconds_of_first);
   text += fmt::format("  all contacts   {} in {:.2f} ms\n", grouped(result.contacts), 1e3 * result.seconds_of_contacts);
-  text += fmt::format("  truth          {}\n", result.judged == 0
-                                                   ? "none: no boxes and mma_bool of this step are here"
-                                                   : comparison(result.judged, result.wrong, result.besides));
+  text += fmt::format("  truth          {}\n", step.has_truth ? comparison(result.judged, result.wrong, result.besides)
+                                                              : "none: no boxes and mma_bool of this step are here");
   return text + fmt::format("  digest         {}\n", result.digest);
 }
 
@@ -160,7 +159,8 @@ int run_scenes(const ScenesOptions& options) {
   std::optional<io::OutputFile> table;
   if (!options.csv.empty()) {
     std::vector<std::string> inputs;
-    for (const PublicStepFiles& files : steps) inputs.insert(inputs.end(), {files.before, files.after});
+    for (const PublicStepFiles& files : steps)
+      for (const std::string& file : files.all()) inputs.push_back(file);
     refuse_to_overwrite(options.csv, inputs);
     table.emplace(options.csv);
     table->write(kHeader);
@@ -172,20 +172,21 @@ int run_scenes(const ScenesOptions& options) {
     const StepResult result = check(step, threads);
     judged += result.judged;
     wrong += result.wrong;
-    if (result.judged > 0) besides += result.besides;
-    without_truth += result.judged == 0 ? 1 : 0;
+    besides += result.besides;
+    without_truth += step.has_truth ? 0 : 1;
     if (table) table->write(csv_row(step, result));
     auto console = io::OutputFile::standard_output();
     console.write(for_person(step, result));
     console.commit();
   }
   if (table) table->commit();
-  std::string summary = fmt::format("{}, {}", counted(steps.size(), "step"), comparison(judged, wrong, besides));
+  std::string summary = counted(steps.size(), "step") + ", ";
+  summary += judged + besides == 0 ? "nothing was compared" : comparison(judged, wrong, besides);
   if (without_truth > 0) summary += fmt::format("; {} without a truth", counted(without_truth, "step"));
   auto console = io::OutputFile::standard_output();
   console.write(summary + "\n");
   console.commit();
-  return wrong + besides == 0 ? kAllHold : kRefuted;
+  return judged > 0 && wrong + besides == 0 ? kAllHold : kRefuted;
 }
 
 }  // namespace touchstone::cli

@@ -34,7 +34,9 @@ void add_scenes(CLI::App& program, Command& command) {
       "Examples\n"
       "  touchstone scenes scenes/cloth-ball\n"
       "  touchstone scenes --threads 0 --csv table.csv scenes\n\n"
-      "Exit status: 0 all verdicts are as said, 1 some differ, 2 bad usage or bad input.");
+      "Exit status: 0 all verdicts are as said, 1 some differ, or there are contacts besides, or nothing was "
+      "compared,\n"
+      "2 bad usage or bad input.");
   subcommand->callback([options, &command] { command = [options] { return run_scenes(*options); }; });
 }
 

@@ -61,8 +61,8 @@ double mean_edge_length(const Mesh::Impl& mesh, const Motion& motion) noexcept {
 /// is off at most: sqrt(3) m. An element of the motion is at each time within a of one of the reference. So the pair's
 /// distance is at least L - 2 a. What it is to keep is d + f (D0 - d). D0, at the start, is at most 2 a more than in
 /// the reference: so what is to be kept is at most 2 f a more than there. The pair keeps it if L >= k + 2 (1 + f) a,
-/// for the k of the reference. In the max metric a distance is at least the Euclidean one over sqrt(3), and off by 2 m: so
-/// L >= sqrt(3) (k + 2 (1 + f) m).
+/// for the k of the reference. In the max metric a distance is at least the Euclidean one over sqrt(3), and off by 2 m:
+/// so L >= sqrt(3) (k + 2 (1 + f) m).
 class NearPairs {
  public:
   NearPairs(const Mesh::Impl& mesh, const Motion& reference, double kept_fraction, double margin)
@@ -157,19 +157,21 @@ void CandidateSearch::collect(int threads, const std::atomic<bool>* stop) {
   std::mutex lock;
   std::atomic<double> until{1};
   ++searches_;
-  for_each_candidate_block(mesh_, reference_, reach, {threads, &until},
-                           [&](Kind kind, const Pair* pairs, std::size_t size) {
-                             check_stop(stop);
-                             std::array<Pair, broad_phase::kPairBlock> kept;
-                             const auto end = std::copy_if(pairs, pairs + size, kept.begin(), [&](const Pair& pair) {
-                               return near.may_meet({kind, pair[0], pair[1]});
-                             });
-                             const std::lock_guard<std::mutex> guard(lock);
-                             auto& list = pairs_[static_cast<std::size_t>(kind)];
-                             list.insert(list.end(), kept.begin(), end);
-                             if ((count += static_cast<std::size_t>(end - kept.begin())) > most)
-                               until = -1;  // no more boxes meet
-                           });
+  const auto take = [&](Kind kind, const Pair* pairs, std::size_t size) {
+    check_stop(stop);
+    if ((count += size) > most) {
+      until = -1;  // no more boxes meet
+      return;
+    }
+    std::array<Pair, broad_phase::kPairBlock> kept;
+    const auto end = std::copy_if(pairs, pairs + size, kept.begin(), [&](const Pair& pair) {
+      return near.may_meet({kind, pair[0], pair[1]});
+    });
+    const std::lock_guard<std::mutex> guard(lock);
+    auto& list = pairs_[static_cast<std::size_t>(kind)];
+    list.insert(list.end(), kept.begin(), end);
+  };
+  for_each_candidate_block(mesh_, reference_, reach, {threads, &until}, take);
   if (count > most) {
     for (auto& pairs : pairs_) broad_phase::LargeVector<Pair>().swap(pairs);
     state_ = State::too_many;

@@ -24,7 +24,9 @@ void check_shape(const Mesh::Impl& mesh, const Positions& x, const char* when) {
     fail("which are those of " + std::to_string(x.count) + " vertices, do not fit a mesh of " +
          std::to_string(mesh.vertex_count) + " vertices");
   }
-  if (x.data == nullptr && x.floats == nullptr && x.count > 0) fail("which have no data, do not fit a mesh with vertices");
+  if (x.data == nullptr && x.floats == nullptr && x.count > 0) {
+    fail("which have no data, do not fit a mesh with vertices");
+  }
 }
 
 double coordinate(const Positions& x, std::size_t vertex, int k) noexcept {

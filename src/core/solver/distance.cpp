@@ -44,7 +44,7 @@ Distance distance(const Query& query, double t, Metric metric) { return distance
 Distance distance(const RationalQuery& query, double t, Metric metric) { return distance_of(query, t, metric); }
 Distance distance(const CurvedQuery& query, double t, Metric metric) { return distance_of(query, t, metric); }
 
-double distance_at_most(const Query& query, double t) {
+double distance_upper_bound(const Query& query, double t) {
   const numbers::DefaultFloatEnvironment environment;
   solver::validate_time(t);
   solver::validate(query, t);

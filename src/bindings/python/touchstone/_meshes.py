@@ -84,8 +84,8 @@ def free_step(mesh: Mesh, x0: ArrayLike, x1: ArrayLike, kept_fraction: float = 0
 
     mesh, x0, x1, threads, check_start  as in `first_contact`
     kept_fraction  in [0, 1): each pair keeps more than this fraction of its distance at the start
-    float32        whether the positions at the end are float32 numbers, as those at the start must be then; x1 is rounded
-                   to such numbers first
+    float32        whether the positions at the end are float32 numbers, as those at the start must be then; x1 is
+                   rounded to such numbers first
 
     Returns a FreeStep with the attributes outcome, length, positions, first_contact and proofs. Raises what
     `first_contact` raises.

@@ -8,14 +8,14 @@
 namespace touchstone::filters {
 namespace {
 
-// Let e = 2^-53. At a time t, a coordinate of r, u or w is (1 - t) a + t b for the differences a and b at both ends. It is
-// off by less than 4 e (|a| + |b|), for the difference, 1 - t, the product and the sum, but for terms of second order,
-// as all below. Let S be the sum of |a| + |b| over r, u, w and the axes.
+// Let e = 2^-53. At a time t, a coordinate of r, u or w is (1 - t) a + t b for the differences a and b at both ends. It
+// is off by less than 4 e (|a| + |b|), for the difference, 1 - t, the product and the sum, but for terms of second
+// order, as all below. Let S be the sum of |a| + |b| over r, u, w and the axes.
 //
-// c = r - s u - q w, for the parameters s and q that `closest` gives, made to be in their domain, is the difference of a
-// point of each element. So |c| is at least the distance. A coordinate of c is off by 4 e for those of r, u and w, by 2 e
-// for 1 - s, by which q is bounded, and by 3 e for products and differences: |c| by less than 9 e S, and by 3 e S more
-// for the root.
+// c = r - s u - q w, for the parameters s and q that `closest` gives, made to be in their domain, is the difference of
+// a point of each element. So |c| is at least the distance. A coordinate of c is off by 4 e for those of r, u and w, by
+// 2 e for 1 - s, by which q is bounded, and by 3 e for products and differences: |c| by less than 9 e S, and by 3 e S
+// more for the root.
 //
 // The product of n with the difference of any two points, over |n|, is at most their distance. Its least value is at
 // corners: (n r - max(s n u + q n w)) / |n|. Products and their sums make errors of 3 e, the maximum and the difference

@@ -13,8 +13,8 @@ namespace touchstone::filters {
 constexpr double kLoosestBound = 0x1p-20;
 
 /// A number that is at least the Euclidean distance of the elements at the time t, and at most 1 + kLoosestBound times
-/// it. Nothing for elements that are very near each other or nearly parallel, and for sizes at which squares overflow or
-/// underflow.
+/// it. Nothing for elements that are very near each other or nearly parallel, and for sizes at which squares overflow
+/// or underflow.
 std::optional<double> distance_bound(const Query& query, double t) noexcept;
 
 /// A number that the Euclidean distance of the elements is at least at all times of [0, 1], perhaps 0: how far a plane
