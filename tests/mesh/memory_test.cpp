@@ -187,3 +187,16 @@ TEST_CASE("a mesh and its questions need the stated number of bytes for each ele
     std::printf("\n");
   }
 }
+
+TEST_CASE("a question that is like the one before takes next to no memory, and so no page faults") {
+  const Case one = sheet(TOUCHSTONE_SLOW_BUILD ? 40 : 150);
+  const Mesh mesh(one.elements);
+  MeshSteps steps(mesh);
+  const Positions x(one.x0, 3);
+  const std::size_t first = most_bytes([&] { steps.first_contact(x, x); });
+  const std::size_t second = most_bytes([&] { steps.first_contact(x, x); });
+  std::printf("the first question takes %zu bytes, the second %zu\n", first, second);
+  CHECK(steps.searches() == 1);
+  CHECK(first > 100 * mesh.edges().size());
+  CHECK(second <= 16'384);
+}

@@ -52,7 +52,7 @@ const LayerTable& layer_table() {
       {"stress", {"solver", "report", "seeded"}},
       {"cli", {"numbers", "filters",  "exact",  "solver",   "certify", "baselines", "generators", "io",
                "report",  "families", "fuzz",   "seeded",   "scene",   "contact",   "sim",        "stress",
-               "mesh",    "threads",  "frames", "sequence", "proofs",  "view",      "geometry"}},
+               "mesh",    "threads",  "frames", "sequence", "proofs",  "view",      "geometry",   "json"}},
   };
   return table;
 }

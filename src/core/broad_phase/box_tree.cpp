@@ -133,8 +133,8 @@ Number split(Items& items, Number first, Number last) {
 // A node has a place of its own in the array, whatever is built before it: each leaf but the first begins where exactly
 // one inner node has its middle, and no two begin less than kFewest positions apart. Between two leaves is the node
 // that divides them.
-Number place_of_leaf(Number first) noexcept { return first / kFewest * 2; }
-Number place_of_inner(Number middle) noexcept { return middle / kFewest * 2 - 1; }
+Number number_of_leaf(Number first) noexcept { return first / kFewest * 2; }
+Number number_of_inner(Number middle) noexcept { return middle / kFewest * 2 - 1; }
 
 /// What the subtrees of a tree are built from, by several threads at the same time: each has its own positions.
 struct Material {
@@ -147,7 +147,7 @@ struct Material {
 
 /// Makes an inner node of two others. @returns its number
 Number join_children(LargeVector<Node>& nodes, Number first, Number second) {
-  const Number at = place_of_inner(nodes[second].begin);
+  const Number at = number_of_inner(nodes[second].begin);
   nodes[at] = {nodes[first].box, nodes[first].begin, nodes[second].end, first, second};
   join_by_axis(nodes[at].box, nodes[second].box);
   return at;
@@ -162,7 +162,7 @@ Number build(const Material& from, Number first, Number last) {
   }
   std::sort(from.items.begin() + first, from.items.begin() + last,
             [](const Item& i, const Item& j) { return i.number < j.number; });
-  const Number at = place_of_leaf(first);
+  const Number at = number_of_leaf(first);
   from.nodes[at] = {by_axis(empty_moving_box()), first, last, 0, 0};
   for (Number i = first; i < last; ++i) {
     from.numbers[i] = from.items[i].number;
@@ -350,7 +350,7 @@ double whole_step() noexcept { return 1; }
 }  // namespace
 
 BoxTree::BoxTree(std::size_t count, const std::function<MovingBox(Number)>& box_of, int threads)
-    : numbers_(count), boxes_(count), nodes_(count == 0 ? 0 : place_of_leaf(static_cast<Number>(count)) + 1) {
+    : numbers_(count), boxes_(count), nodes_(count == 0 ? 0 : number_of_leaf(static_cast<Number>(count)) + 1) {
   if (count == 0) return;
   Items items(count);
   constexpr std::size_t kItemsAtATime = 4096;
