@@ -147,8 +147,8 @@ PointPoint point_point(const Eigen::DenseBase<P>& p, const Eigen::DenseBase<Q>& 
   return {{to_vec3(p), to_vec3(q)}, {to_vec3(p_end), to_vec3(q_end)}};
 }
 
-/// A view of the rows of a matrix of doubles or floats, one vertex a row: N x 3, or N x 2 for a mesh in the plane. The matrix may
-/// be row-major or column-major, a Map or a block. The view is valid as long as the matrix's memory.
+/// A view of the rows of a matrix of doubles or floats, one vertex a row: N x 3, or N x 2 for a mesh in the plane. The
+/// matrix may be row-major or column-major, a Map or a block. The view is valid as long as the matrix's memory.
 /// @param rows  the matrix; not an expression, whose values are not in memory
 /// @return the view
 /// @throws InvalidQuery  for a matrix that has neither two nor three columns

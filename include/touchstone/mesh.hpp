@@ -397,11 +397,10 @@ struct FreeStep {
   /// distance at the start. The length of a step without room may be positive: its rounded positions are still x0.
   double length = 1;
 
-  /// The positions at the end. Each coordinate is a double between x0 and x1, within one unit in its last place of e =
-  /// x0 + length (x1 - x0). If e is next to nothing beside x0 and x1, the coordinate is within 2^-100 (|x0| + |x1|) of
-  /// it. With FreeStepOptions::float32 all that is said of doubles is about float32 numbers, of which no coordinate is
-  /// more than one unit in the last place from e. A vertex has as many coordinates as the mesh has dimensions: x y z x
-  /// y z ...
+  /// The positions at the end. Each coordinate is a double between x0 and x1, within one unit in its last place of
+  /// e = x0 + length (x1 - x0). If e is next to nothing beside x0 and x1, the coordinate is within 2^-100 (|x0| + |x1|)
+  /// of it. With FreeStepOptions::float32 each is a float32 number, within one unit in its last place of e as such. A
+  /// vertex has as many coordinates as the mesh has dimensions: x y z x y z ...
   std::vector<double> positions;
 
   /// The first contact of the whole step, about the distances that the step is to keep. It says whether the start was

@@ -35,6 +35,14 @@ double mean_edge_length(const Mesh& mesh, const std::vector<double>& x) {
   return mesh.edges().empty() ? 0 : sum / static_cast<double>(mesh.edges().size());
 }
 
+/// The edges 01 and 23.
+Mesh two_edges() {
+  MeshElements elements;
+  elements.vertex_count = 4;
+  elements.edges = {{0, 1}, {2, 3}};
+  return Mesh(elements);
+}
+
 /// Asks both, and compares.
 void ask(MeshSteps& steps, seeded::Rng& random, const std::vector<double>& x0, const std::vector<double>& x1,
          double fraction) {
@@ -116,10 +124,7 @@ TEST_CASE("a contact at the edge of the margin is found among the pairs that are
     const double part = random.uniform(0.5, 1.1) / 16;
     const double turn = random.one_in(2) ? 0 : 1e6 * random.unit();
     const double gap = 2 * part * (1 - 1e-6);
-    MeshElements elements;
-    elements.vertex_count = 4;
-    elements.edges = {{0, 1}, {2, 3}};
-    const Mesh mesh(elements);
+    const Mesh mesh = two_edges();
     MeshSteps steps(mesh);
     std::vector<double> x0 = {-0.5, 0, 0, 0.5, 0, 0, 0, -0.5, gap, 0, 0.5, gap};
     for (std::size_t i = 0; i < x0.size(); i += 3) x0[i] += turn;
@@ -141,10 +146,7 @@ TEST_CASE("a contact at the edge of the margin is found among the pairs that are
 }
 
 TEST_CASE("a pair that keeps too little by a move within the margin is among the pairs that are kept") {
-  MeshElements elements;
-  elements.vertex_count = 4;
-  elements.edges = {{0, 1}, {2, 3}};
-  const Mesh mesh(elements);
+  const Mesh mesh = two_edges();
   MeshSteps steps(mesh);
   FreeStepOptions options;
   options.kept_fraction = 0.8;
@@ -159,10 +161,7 @@ TEST_CASE("a pair that keeps too little by a move within the margin is among the
 }
 
 TEST_CASE("pairs are kept from the first question on, or from the second if the reference before was of no use") {
-  MeshElements elements;
-  elements.vertex_count = 4;
-  elements.edges = {{0, 1}, {2, 3}};
-  MeshSteps steps{Mesh(elements)};
+  MeshSteps steps(two_edges());
   const std::vector<double> x0 = {0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 1, 1};
   const auto ask_at = [&](double height) {
     std::vector<double> x = x0;
@@ -278,10 +277,7 @@ TEST_CASE("of pairs whose boxes meet, few are kept in a sheet, and none where to
 }
 
 TEST_CASE("kept steps: mistakes and stops leave them as they were") {
-  MeshElements elements;
-  elements.vertex_count = 4;
-  elements.edges = {{0, 1}, {2, 3}};
-  MeshSteps steps{Mesh(elements)};
+  MeshSteps steps(two_edges());
   const std::vector<double> x0 = {0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 1, 1};
   std::vector<double> x1 = x0;
   x1[8] = x1[11] = -1;

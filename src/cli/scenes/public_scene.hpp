@@ -41,11 +41,11 @@ struct PublicStepFiles {
 /// `frames` stands for the scenes in it. Names that begin with a dot are skipped.
 ///
 /// What the data set says of step N is in boxes/Nee.json and boxes/Nvf.json, lists of pairs of numbers, and in
-/// mma_bool/Nee_mma_bool.json and mma_bool/Nvf_mma_bool.json, lists of booleans in the same order. The numbers are those
-/// of the vertices, then of the edges in the order of their greater corners and then of their lesser ones, then of the
-/// faces.
+/// mma_bool/Nee_mma_bool.json and mma_bool/Nvf_mma_bool.json, lists of booleans in the same order. The numbers are
+/// those of the vertices, then of the edges in the order of their greater corners and then of their lesser ones, then
+/// of the faces.
 /// @throws FileError  for a folder in which there is no scene, and for a file in `boxes` or `mma_bool` that belongs to
-///                    no step, or has not its other half
+/// no step, or has not its other half
 std::vector<PublicStepFiles> find_public_steps(const std::vector<std::string>& folders);
 
 /// Reads a step. @throws FileError  for a file that cannot be read or does not fit

@@ -149,22 +149,17 @@ Motion path_of(const Motion& step, double length, const FreeStepOptions& options
 
 /// Rounds the end of a step to floats.
 void round_to_floats(Motion& step) {
-  const auto refuse = [](std::size_t vertex, double Vec3::*axis, double x, const std::string& fault) {
-    char number[32];
-    std::snprintf(number, sizeof number, "%.17g", x);
-    throw InvalidQuery("vertex " + std::to_string(vertex) + " has " +
-                       "xyz"[axis == &Vec3::x ? 0 : (axis == &Vec3::y ? 1 : 2)] + " = " + number + fault);
-  };
+  constexpr double Vec3::*kAxes[3] = {&Vec3::x, &Vec3::y, &Vec3::z};
   for (std::size_t v = 0; v < step.size(); ++v) {
-    for (const auto axis : {&Vec3::x, &Vec3::y, &Vec3::z}) {
-      const double start = step[v].start.*axis;
-      double& end = step[v].end.*axis;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const double start = step[v].start.*kAxes[k];
+      double& end = step[v].end.*kAxes[k];
       if (static_cast<double>(static_cast<float>(start)) != start) {
-        refuse(v, axis, start, " at t = 0, which is no float32 number; with float32 a step starts at such numbers");
+        refuse_coordinate(v, k, start, 0, ", which is no float32 number; with float32 a step starts at such numbers");
       }
       const auto rounded = static_cast<double>(static_cast<float>(end));
       if (!std::isfinite(rounded)) {
-        refuse(v, axis, end, " at t = 1, which is beyond the largest float32 number, 3.4e38");
+        refuse_coordinate(v, k, end, 1, ", which is beyond the largest float32 number, 3.4e38");
       }
       end = rounded;
     }

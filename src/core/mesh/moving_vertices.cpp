@@ -42,12 +42,9 @@ bool is_finite(const Vec3& v) noexcept { return std::isfinite(v.x) && std::isfin
 
 [[noreturn]] void throw_not_finite(std::size_t vertex, const Vec3& at, int time) {
   const double coordinates[3] = {at.x, at.y, at.z};
-  int axis = 0;
+  std::size_t axis = 0;
   while (std::isfinite(coordinates[axis])) ++axis;
-  char number[32];
-  std::snprintf(number, sizeof number, "%g", coordinates[axis]);
-  throw InvalidQuery("vertex " + std::to_string(vertex) + " has " + "xyz"[axis] + " = " + number +
-                     " at t = " + std::to_string(time) + "; coordinates must be finite");
+  refuse_coordinate(vertex, axis, coordinates[axis], time, "; coordinates must be finite");
 }
 
 TOUCHSTONE_BEHIND_GUARD void check_finite(const Motion& motion) {
@@ -60,6 +57,13 @@ TOUCHSTONE_BEHIND_GUARD void check_finite(const Motion& motion) {
 }
 
 }  // namespace
+
+void refuse_coordinate(std::size_t vertex, std::size_t axis, double value, int time, const std::string& fault) {
+  char number[32];
+  std::snprintf(number, sizeof number, "%.17g", value);
+  throw InvalidQuery("vertex " + std::to_string(vertex) + " has " + "xyz"[axis] + " = " + number +
+                     " at t = " + std::to_string(time) + fault);
+}
 
 void set_motion(Motion& motion, const Mesh::Impl& mesh, const Positions& x0, const Positions& x1, int threads) {
   threads::validate_threads(threads);

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstddef>
+#include <string>
 
 #include <touchstone/mesh.hpp>
 #include <touchstone/query.hpp>
@@ -19,6 +20,10 @@ struct MovingVertex {
 };
 
 using Motion = broad_phase::LargeVector<MovingVertex>;
+
+/// @throws InvalidQuery  "vertex 3 has y = 0.5 at t = 1", and the fault
+[[noreturn]] void refuse_coordinate(std::size_t vertex, std::size_t axis, double value, int time,
+                                    const std::string& fault);
 
 /// Sets the motion to that from x0 to x1.
 /// @throws InvalidQuery  for positions that do not fit the mesh, or naming the first vertex with a coordinate that is
