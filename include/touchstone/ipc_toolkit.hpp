@@ -126,8 +126,8 @@ class ExactNarrowPhaseCCD : public detail::WithRescaling<ipc::NarrowPhaseCCD> {
   }
 
  private:
-  /// With the rescaling 1, elements keep this fraction of their largest coordinate, 64 units in its last place: more
-  /// than the positions after the step are rounded by.
+  /// With the rescaling 1, elements that come together steadily keep about this fraction of their largest coordinate,
+  /// 64 units in its last place: more than the positions after the step are rounded by.
   static constexpr double kRoundingReserve = 7.105427357601002e-15;  // 2^-47
 
   void check_rescaling() const {
@@ -167,36 +167,62 @@ class ExactNarrowPhaseCCD : public detail::WithRescaling<ipc::NarrowPhaseCCD> {
   /// The toi of elements that come into contact in [0, 1].
   double time_before_contact(const Query& query, const Separation& separation) const {
     if (compare_distance(query, 0, separation) <= 0) return 0;
-    SolveOptions options;
-    options.separation.distance = kept_distance(query, separation.distance);
-    options.wanted = Wanted::time;
-    double time = solve(query, options).toi;
-    if (time > 0 && compare_distance(query, time, separation) <= 0) time = std::nextafter(time, 0.0);
-    // A gap of a few units in the last place is smaller than the rounding of the positions.
-    while (time > 0 && comes_within(rounded_step(query, time), separation, 1)) time /= 2;
+    double time = 0;
+    double reserve = 0;
+    if (this->conservative_rescaling < 1) {
+      time = first_time_within(query, kept_distance(query, separation.distance));
+      reserve = time / 2;
+      if (compare_distance(query, time, separation) <= 0) time = std::nextafter(time, 0.0);
+    } else {
+      time = first_time_within(query, separation.distance);
+      reserve = reserved_time(query, separation.distance, time);
+      const double before = sooner(time, reserve);
+      if (before > 0 || compare_distance(query, time, separation) <= 0) time = before;
+    }
+    for (; time > 0 && comes_within(rounded_step(query, time), separation, 1); reserve *= 4) {
+      time = sooner(time, reserve);
+    }
     return time;
   }
 
-  /// A distance that is greater than min_distance and less than the distance at the start; min_distance where no double
-  /// is between them.
+  static double first_time_within(const Query& query, double distance) {
+    SolveOptions options;
+    options.separation.distance = distance;
+    options.wanted = Wanted::time;
+    return solve(query, options).toi;
+  }
+
+  /// Less than a time that is greater than 0: by the reserve, or half of it.
+  static double sooner(double time, double reserve) {
+    return reserve < time / 2 && time - reserve < time ? time - reserve : time / 2;
+  }
+
+  /// How long before the first contact elements that come together steadily have a gap that is larger than the rounding
+  /// of the positions after the step. It need not be right: that step is asked about.
+  static double reserved_time(const Query& query, double min_distance, double first_contact) {
+    const double gap = distance_upper_bound(query) - min_distance;
+    return first_contact * (kRoundingReserve * largest_coordinate(query) / gap);
+  }
+
+  static double largest_coordinate(const Query& query) {
+    double largest = 0;
+    for (std::size_t i = 0; i < corner_count(query.kind); ++i) {
+      for (const Vec3& corner : {query.start[i], query.end[i]}) {
+        largest = std::max({largest, std::abs(corner.x), std::abs(corner.y), std::abs(corner.z)});
+      }
+    }
+    return largest;
+  }
+
+  /// With a rescaling below 1, a distance that is greater than min_distance and less than the distance at the start;
+  /// min_distance where no double is between them.
   double kept_distance(const Query& query, double min_distance) const {
     double start = distance_upper_bound(query);
     // That is at most 2^-20 of it too great, which is to be much less than the rest of the gap.
     if (!(0x1p-20 * start <= 0x1p-10 * this->conservative_rescaling * (start - min_distance))) {
       start = distance(query).value;
     }
-    const double gap = start - min_distance;
-    double kept = (1 - this->conservative_rescaling) * gap;
-    if (!(this->conservative_rescaling < 1)) {
-      double largest = 0;
-      for (std::size_t i = 0; i < corner_count(query.kind); ++i) {
-        for (const Vec3& corner : {query.start[i], query.end[i]}) {
-          largest = std::max({largest, std::abs(corner.x), std::abs(corner.y), std::abs(corner.z)});
-        }
-      }
-      kept = std::min(kRoundingReserve * largest, gap / 2);
-    }
-    kept += min_distance;
+    const double kept = min_distance + (1 - this->conservative_rescaling) * (start - min_distance);
     return kept > min_distance && kept < start ? kept : min_distance;
   }
 
