@@ -160,6 +160,45 @@ TEST_CASE("a claims file that is not in step with the queries is refused") {
   CHECK(files.error("query,contact,toi\n0,1,nan\n").substr(0, 26) == "claims.csv:2: toi is 'nan'");
 }
 
+TEST_CASE("claims may be a list of booleans in JSON") {
+  const TemporaryFolder folder;
+  const std::string a = folder.write("point-point/a.csv", two_point_queries());
+  const std::string b = folder.write("point-point/b.csv", two_point_queries());
+  const std::string claims = folder.path("claims.json");
+  const auto certify = [&](const std::string& text, const std::vector<std::string>& options = {}) {
+    folder.write("claims.json", text);
+    std::vector<std::string> arguments = {"certify", "--claims", claims, a, b};
+    arguments.insert(arguments.end(), options.begin(), options.end());
+    return run_program(arguments);
+  };
+  const Run good = certify(" [true, false,\n true,false]\n");
+  CHECK(good.status == 0);
+  CHECK(occurrences(good.out, "all 4 claims hold (claims of " + claims + ", 2 files)\n") == 1);
+  const Run wrong = certify("[true,false,false,true]");
+  CHECK(wrong.status == 1);
+  CHECK(occurrences(wrong.out, "2 of 4 claims refuted") == 1);
+  CHECK(occurrences(wrong.out, b + " query 0 (rows 1 to 4): missed") == 1);
+  CHECK(occurrences(wrong.out, b + " query 1 (rows 5 to 8): phantom") == 1);
+  // The other query has the distance 1/2 and more.
+  CHECK(certify("[true,true,true,true]", {"--separation", "4"}).status == 0);
+
+  const auto error = [&](const std::string& text) {
+    const Run run = certify(text);
+    CHECK(run.status == 2);
+    CHECK(run.out == "");
+    return run.err;
+  };
+  CHECK(error("[true,false,true]") == claims + ": the claims end here, after 3; query 1 of " + b + " has none\n");
+  CHECK(error("[]") == claims + ": the claims end here, after 0; query 0 of " + a + " has none\n");
+  CHECK(error("[true,false,true,false,true]") ==
+        claims + ": a claim too many; there are only 4 queries in the query files\n");
+  for (const char* text :
+       {"[true,1,true,false]", "[true,null,true,false]", "{\"a\": true}", "[true,false", "true", ""}) {
+    CAPTURE(text);
+    CHECK(error(text).rfind(claims + ": ", 0) == 0);
+  }
+}
+
 TEST_CASE("a claims file that is missing or a folder is refused") {
   const TemporaryFolder folder;
   const std::string file = folder.write("point-point/a.csv", two_point_queries());

@@ -86,7 +86,7 @@ TEST_CASE("a binary file is certified, explained and asked like the CSV file tha
 
   const std::string array = folder.path("a.npy");
   CHECK(convert(binary, array, {"--claims", "drop"}).status == 0);
-  check_refused(run_program({"certify", array}), "a.npy: has no claims to judge; name a file of claims (--claims)");
+  check_refused(run_program({"certify", array}), "a.npy: query 0 has no claim; name a file of claims (--claims)");
   const Run without_claims = run_program({"explain", "--query", "0", array});
   CHECK(without_claims.status == 0);
   CHECK(occurrences(without_claims.out, "truth column") == 0);
@@ -94,6 +94,38 @@ TEST_CASE("a binary file is certified, explained and asked like the CSV file tha
   CHECK(run_program({"certify", "--claims", folder.path("answers.csv"), array}).status == 0);
   check_refused(run_program({"prove", "--out", folder.path("proofs.txt"), binary}),
                 "a.tsq: is a file of doubles, and touchstone-check reads CSV; touchstone convert writes it as CSV");
+}
+
+TEST_CASE("rows of six columns have no claims, and other formats get none") {
+  const TemporaryFolder folder;
+  const std::string csv = folder.write("point-point/a.csv", two_point_queries());
+  const std::string bare = folder.path("point-point/bare.csv");
+  CHECK(convert(csv, bare, {"--claims", "drop"}).status == 0);
+  CHECK(folder.read("point-point/bare.csv").rfind("0,1,0,1,0,1\n1,1,0,1,0,1\n", 0) == 0);
+  const Run binary = convert(bare, folder.path("a.tsq"));
+  CHECK(binary.status == 0);
+  CHECK(occurrences(binary.out, "(binary, point-point, without claims)") == 1);
+  CHECK(convert(folder.path("a.tsq"), folder.path("same.csv")).status == 0);
+  CHECK(folder.read("same.csv") == folder.read("point-point/bare.csv"));
+  CHECK(convert(bare, folder.path("solved.csv"), {"--claims", "solve"}).status == 0);
+  CHECK(folder.read("solved.csv") == two_point_queries());
+
+  check_refused(run_program({"certify", bare}), "bare.csv: query 0 has no claim; name a file of claims (--claims)");
+  CHECK(run_program({"solve", "--out", folder.path("answers.csv"), bare}).status == 0);
+  CHECK(run_program({"certify", "--claims", folder.path("answers.csv"), bare}).status == 0);
+  const Run explained = run_program({"explain", "--query", "1", bare});
+  CHECK(explained.status == 0);
+  CHECK(occurrences(explained.out, "truth column") == 0);
+
+  const std::string without = folder.read("point-point/bare.csv");
+  const std::string second = folder.write("point-point/second.csv", without + two_point_queries());
+  check_refused(convert(second, folder.path("b.tsq")),
+                "second.csv:9: query 2 has a claim, and the first query has none");
+  check_refused(run_program({"certify", second}), "second.csv: query 0 has no claim");
+  const std::string first = folder.write("point-point/first.csv", two_point_queries() + without);
+  check_refused(convert(first, folder.path("b.tsq")), "first.csv:9: query 2 has no claim, and the first query has one");
+  check_refused(run_program({"certify", first}), "first.csv: query 2 has no claim");
+  CHECK(convert(first, folder.path("b.npy"), {"--claims", "drop"}).status == 0);
 }
 
 TEST_CASE("convert refuses what a format does not hold, and leaves no file") {
@@ -113,7 +145,8 @@ TEST_CASE("convert refuses what a format does not hold, and leaves no file") {
   check_refused(convert(csv, folder.path("b")),
                 "in which format? Its name ends in none of .csv, .tsq, .npy, .h5 and .hdf5");
   check_refused(convert(csv, csv), "is also an input");
-  check_refused(convert(csv, folder.path("b.csv"), {"--claims", "drop"}), "csv has a claim for each query");
+  check_refused(convert(csv, folder.path("b.csv"), {"--to", "hexfloat", "--claims", "drop"}),
+                "hexfloat has a claim for each query");
   check_refused(convert(csv, folder.path("b.tsq"), {"--to", "yaml"}), "yaml");
   check_refused(convert(folder.write("empty.csv", ""), folder.path("b.tsq"), {"--kind", "edge-edge"}),
                 "holds no query");
@@ -160,7 +193,8 @@ TEST_CASE("HDF5 as the public benchmark packs it is written and read, where the 
 
   check_refused(convert(path("b.h5"), path("h.tsq"), {"--group", "shifted"}), "has no data set 'shifted/points'");
   check_refused(convert(csv, path("h.tsq"), {"--group", "shifted"}), "is no HDF5 file, and has no groups");
-  check_refused(convert(path("f.hdf5"), path("h.csv")), "csv has a claim for each query; --claims solve");
+  check_refused(convert(path("f.hdf5"), path("h.csv"), {"--to", "hexfloat"}),
+                "hexfloat has a claim for each query; --claims solve");
   check_refused(run_program({"solve", path("b.h5")}), "is an HDF5 file; touchstone convert makes");
   const std::string about = folder.write("point-point/a.csv", "# separation 0x1p-2 max\n" + two_point_queries());
   check_refused(convert(about, folder.path("i.h5")), "hdf5 has no room for the separation");

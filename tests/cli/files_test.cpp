@@ -38,8 +38,8 @@ TEST_CASE("damage is named with file and row, and leaves no output behind, whate
   };
   const Damage damage = GENERATE_COPY(
       Damage{good + "0,1,0,1,0,1,0\n", ":9: the file ends within query 2, which has 1 row; a point-point query has 4"},
-      Damage{replaced(good, "1,1,0,1", "1,1,0"),
-             ":2: 6 columns; a row has 7: x_num,x_den,y_num,y_den,z_num,z_den,truth"},
+      Damage{replaced(good, "1,1,0,1,", "1,1,"),
+             ":2: 5 columns; a row has 7: x_num,x_den,y_num,y_den,z_num,z_den,truth, or 6 without truth"},
       Damage{replaced(good, "-1,1", "minus one,1"), ":4: x_num is 'minus one'; it must be a decimal integer"},
       Damage{replaced(good, "-1,1", "-1,0"), ":4: x_den is zero; a denominator must be positive"},
       Damage{

@@ -57,7 +57,7 @@ TEST_CASE("a file that ends within a query is refused") {
   CHECK(error_of(kQuery + kRow + "# comment\n" + kRow + "\n", 1) ==
         "q.csv:8: the file ends within query 1, which has 2 rows; a point-point query has 4");
   CHECK(error_of(kQuery + kRow + kRow + "0,1,0", 1) ==
-        "q.csv:7: 3 columns; a row has 7: x_num,x_den,y_num,y_den,z_num,z_den,truth");
+        "q.csv:7: 3 columns; a row has 7: x_num,x_den,y_num,y_den,z_num,z_den,truth, or 6 without truth");
   CHECK(error_of(kQuery + kRow + kRow + kRow + "0,1,0,1,0,1,", 1) == "q.csv:8: truth is ''; it must be 0 or 1");
 }
 
@@ -67,12 +67,25 @@ TEST_CASE("an edge-edge query has eight rows") {
 }
 
 TEST_CASE("wrong column counts are refused") {
-  const std::string columns = "; a row has 7: x_num,x_den,y_num,y_den,z_num,z_den,truth";
-  CHECK(error_of_row("0,1,0,1,0,1") == "q.csv:6: 6 columns" + columns);
+  const std::string columns = "; a row has 7: x_num,x_den,y_num,y_den,z_num,z_den,truth, or 6 without truth";
+  CHECK(error_of_row("0,1,0,1,0") == "q.csv:6: 5 columns" + columns);
   CHECK(error_of_row("0,1,0,1,0,1,0,0") == "q.csv:6: 8 columns" + columns);
   CHECK(error_of_row("0,1,0,1,0,1,0,") == "q.csv:6: 8 columns" + columns);
   CHECK(error_of_row("0;1;0;1;0;1;0") == "q.csv:6: 1 column" + columns);
   CHECK(error_of_row("0") == "q.csv:6: 1 column" + columns);
+}
+
+TEST_CASE("a truth in some rows of a query alone is refused") {
+  const auto error = [](const std::string& row, const std::string& here, const std::string& first) {
+    return "q.csv:" + row + ": truth is " + here + " here and " + first +
+           ", where the same query 1 starts; all 4 rows of a point-point query must agree";
+  };
+  CHECK(error_of_row("0,1,0,1,0,1") == error("6", "missing", "0 in row 5"));
+  CHECK(error_of_row(" 0,1,0,1,0,1") == error("6", "missing", "0 in row 5"));
+  const std::string bare = "0,1,0,1,0,1\n";
+  CHECK(error_of(kQuery + bare + kRow + kRow + kRow, 1) == error("6", "0", "missing in row 5"));
+  CHECK(error_of(kQuery + kRow + kRow + kRow + bare, 1) == error("8", "missing", "0 in row 5"));
+  CHECK(error_of(kQuery + bare + bare + bare + bare, 2) == "");
 }
 
 TEST_CASE("text where a number belongs is refused") {
@@ -199,6 +212,13 @@ TEST_CASE("a file's kind is its folder's name, or what the caller says") {
   CHECK(io::kind_of_file("/x/point-edge/./a.csv", std::nullopt) == Kind::point_edge);
   CHECK(io::kind_of_file("x/../point-point/a.csv", std::nullopt) == Kind::point_point);
   CHECK(io::kind_of_file("edge-edge/a.csv", Kind::point_point) == Kind::point_point);
+  CHECK(io::kind_of_file("queries/227ee.csv", std::nullopt) == Kind::edge_edge);
+  CHECK(io::kind_of_file("3036vf.csv", std::nullopt) == Kind::vertex_face);
+  CHECK(io::kind_of_file("edge-edge/227vf.csv", std::nullopt) == Kind::edge_edge);
+  for (const char* name :
+       {"queries/ee.csv", "queries/a1ee.csv", "queries/1eee.csv", "queries/1ee.old.csv", "1ee/a.csv"}) {
+    CHECK_FALSE(io::kind_of_path(name));
+  }
   CHECK(from_name<Kind>("edge-edge") == Kind::edge_edge);
   CHECK_FALSE(from_name<Kind>("Edge-Edge"));
   CHECK_FALSE(from_name<Kind>(""));
@@ -208,6 +228,6 @@ TEST_CASE("a file's kind is its folder's name, or what the caller says") {
   } catch (const FileError& error) {
     CHECK(message_of(error) ==
           "edge-edge/old/a.csv: of which kind are its queries? Its folder 'old' is not called edge-edge, vertex-face, "
-          "point-edge or point-point, and no kind was given (--kind)");
+          "point-edge or point-point, its name is not like 227ee.csv or 227vf.csv, and no kind was given (--kind)");
   }
 }

@@ -1,10 +1,12 @@
 // Query files: queries are read as they were written, for any size of chunks and any layout.
 // SPDX-License-Identifier: MIT
+#include <algorithm>
 #include <array>
 #include <cfloat>
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -185,9 +187,13 @@ TEST_CASE("a row of the usual sort takes the fast path, and what is not such a r
   CHECK(usual("1,1,-3,4,6004799503160661,81129638414606681695789005144064,1\n"));
   CHECK(usual("9007199254740992,1,9223372036854775808,9223372036854775808,0,1,0\r\n"));
   CHECK(usual("0,1,0,1,0,1,0"));
-  for (const char* row : {"9007199254740993,1,0,1,0,1,0\n", "1,3,0,1,0,1,0\n", "1,0,0,1,0,1,0\n", "1,-1,0,1,0,1,0\n",
-                          "+1,1,0,1,0,1,0\n", " 1,1,0,1,0,1,0\n", "1,1,0,1,0,1,2\n", "1,1,0,1,0,1,0,\n",
-                          "1,1,0,1,0,1\n", "-,1,0,1,0,1,0\n", "1,,0,1,0,1,0\n", "1,1,0,1,0,1,00\n", ""}) {
+  CHECK(usual("1,1,-3,4,6004799503160661,81129638414606681695789005144064\n"));
+  CHECK(usual("1,1,-3,4,0,134217728\r\n"));
+  CHECK(usual("0,1,0,1,0,1"));
+  for (const char* row :
+       {"9007199254740993,1,0,1,0,1,0\n", "1,3,0,1,0,1,0\n", "1,0,0,1,0,1,0\n", "1,-1,0,1,0,1,0\n", "+1,1,0,1,0,1,0\n",
+        " 1,1,0,1,0,1,0\n", "1,1,0,1,0,1,2\n", "1,1,0,1,0,1,0,\n", "1,1,0,1,0\n", "1,1,0,1,0,1,\n", "1,1,0,1\n0,1,0\n",
+        "-,1,0,1,0,1,0\n", "1,,0,1,0,1,0\n", "1,1,0,1,0,1,00\n", ""}) {
     CAPTURE(row);
     CHECK_FALSE(usual(row));
   }
@@ -212,7 +218,53 @@ TEST_CASE("rational queries are kept as they are written, whatever stands betwee
     REQUIRE(std::holds_alternative<RationalQuery>(file.queries[0].query));
     CHECK(same(std::get<RationalQuery>(file.queries[0].query), query));
     CHECK(same(io::query_as_given(Kind::point_edge, file.queries[0].text), query));
-    CHECK(file.queries[0].truth);
+    CHECK(file.queries[0].truth == true);
+  }
+}
+
+TEST_CASE("queries of six columns are those of seven without their truth") {
+  std::string given, bare;
+  for (const Kind kind : kKinds) {
+    Rng rng(7);
+    given.clear();
+    bare.clear();
+    for (int i = 0; i < 12; ++i) {
+      Query query;
+      query.kind = kind;
+      for (std::size_t c = 0; c < corner_count(kind); ++c) {
+        query.start[c] = {rng.symmetric(), 4 * rng.symmetric(), std::ldexp(rng.symmetric(), -80)};
+        query.end[c] = {1, rng.symmetric() * 1e17, -0.5};
+      }
+      io::append_query(given, query, i % 2 == 0);
+      io::append_query(bare, query, std::nullopt);
+    }
+    const std::string third = "1,3,0,1,0,1";
+    for (std::size_t row = 0; row < 2 * corner_count(kind); ++row) {
+      given += third + ",1\n";
+      bare += third + "\n";
+    }
+    CHECK(std::count(bare.begin(), bare.end(), ',') * 6 == std::count(given.begin(), given.end(), ',') * 5);
+    for (const std::size_t chunk : kChunks) {
+      const ReadFile with = read_queries(given, kind, chunk), without = read_queries(bare, kind, chunk),
+                     laid_out = read_queries(decorated(bare, rng), kind, chunk);
+      CAPTURE(chunk, without.error);
+      REQUIRE(with.queries.size() == 13);
+      REQUIRE(without.queries.size() == 13);
+      REQUIRE(laid_out.queries.size() == 13);
+      for (std::size_t i = 0; i < 13; ++i) {
+        CHECK_FALSE(without.queries[i].truth.has_value());
+        CHECK_FALSE(laid_out.queries[i].truth.has_value());
+        CHECK(without.queries[i].last_row == with.queries[i].last_row);
+        REQUIRE(without.queries[i].query.index() == with.queries[i].query.index());
+        if (i == 12) {
+          CHECK(
+              same(std::get<RationalQuery>(without.queries[i].query), std::get<RationalQuery>(with.queries[i].query)));
+        } else {
+          CHECK(same(std::get<Query>(without.queries[i].query), std::get<Query>(with.queries[i].query)));
+          CHECK(same(std::get<Query>(laid_out.queries[i].query), std::get<Query>(with.queries[i].query)));
+        }
+      }
+    }
   }
 }
 

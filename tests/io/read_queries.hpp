@@ -16,7 +16,7 @@ namespace touchstone::tests {
 
 struct ReadQuery {
   io::FileQuery query;
-  bool truth;  ///< false where there is none
+  std::optional<bool> truth;
   std::uint64_t number;
   std::uint64_t first_row;
   std::uint64_t last_row;
@@ -37,8 +37,8 @@ inline ReadFile read_queries(std::string_view content, Kind kind, std::size_t ch
       io::QueryParser parser(*chunk);
       io::QueryRecord record;
       while (parser.next(record)) {
-        result.queries.push_back({record.query, record.truth.value_or(false), record.number, record.first_row,
-                                  record.last_row, std::string(record.text)});
+        result.queries.push_back(
+            {record.query, record.truth, record.number, record.first_row, record.last_row, std::string(record.text)});
       }
     }
   } catch (const FileError& error) {

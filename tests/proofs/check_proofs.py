@@ -271,13 +271,13 @@ def read_query(lines, kind, metric, separation):
     rows = []
     while lines.line is not None and len(rows) < 2 * count:
         fields = lines.columns()
-        if len(fields) != 7 or not all(QUERY_NUMBER.fullmatch(field) for field in fields):
-            raise BadInput(f"{lines.place()}: a row has seven integers of at most {MAX_QUERY_DIGITS} digits")
+        if len(fields) not in (6, 7) or not all(QUERY_NUMBER.fullmatch(field) for field in fields):
+            raise BadInput(f"{lines.place()}: a row has six or seven integers of at most {MAX_QUERY_DIGITS} digits")
         row = [int(field) for field in fields]
         if min(row[1], row[3], row[5]) <= 0:
             raise BadInput(f"{lines.place()}: a denominator is not positive")
         rows.append(row)
-        if fields[6] not in (b"0", b"1") or row[6] != rows[0][6]:
+        if fields[6:] not in ([], [b"0"], [b"1"]) or row[6:] != rows[0][6:]:
             raise BadInput(f"{lines.place()}: the truth is 0 or 1, the same in all rows of a query")
         lines.advance()
     if not rows:

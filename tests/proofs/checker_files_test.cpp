@@ -98,9 +98,9 @@ TEST_CASE("query files with an error") {
   const std::string row = "0,1,0,1,0,1,0\n";
   const auto with = [&](const std::string& bad) { return row + row + row + bad; };
   for (const auto& [bad, message] :
-       std::vector<std::pair<std::string, std::string>>{{"0,1,0,1,0,1\n", "7 columns"},
-                                                        {"0,1,0,1,0,1,0,0\n", "7 columns"},
-                                                        {"0 1 0 1 0 1 0\n", "7 columns"},
+       std::vector<std::pair<std::string, std::string>>{{"0,1,0,1,0\n", "6 or 7 columns"},
+                                                        {"0,1,0,1,0,1,0,0\n", "6 or 7 columns"},
+                                                        {"0 1 0 1 0 1 0\n", "6 or 7 columns"},
                                                         {"0,0,0,1,0,1,0\n", "must be positive"},
                                                         {"0,-1,0,1,0,1,0\n", "must be positive"},
                                                         {"0.5,1,0,1,0,1,0\n", "decimal integer"},
@@ -114,11 +114,14 @@ TEST_CASE("query files with an error") {
                                                         {"0,1,0,1,0,1,2\n", "0 or 1"},
                                                         {"0,1,0,1,0,1,\n", "0 or 1"},
                                                         {"0,1,0,1,0,1,1\n", "the same in all rows"},
+                                                        {"0,1,0,1,0,1\n", "the same in all rows"},
                                                         {"", "ends within a query"}}) {
     call_bad(message, kPoints, with(bad), {"0 none", "d 1 0 0"});
     call_bad("file0:", kPoints, with(bad), {"0 none", "d 1 0 0"});
   }
   accept(kPoints, kApart + "\n#\n", {"0 none", "d 1 0 0"});
+  // Without the truth.
+  accept(kPoints, "0,1,0,1,0,1\n2,1,0,1,0,1\n0,1,0,1,0,1\n3,1,0,1,0,1", {"0 none", "d 1 0 0"});
 }
 
 TEST_CASE("files that cannot be read, and a wrong call") {

@@ -107,7 +107,7 @@ void judge_queries(CertifyItem& item, const CertifyOptions& options, const std::
     item.longer_turns.merge(record.longer_turns);
     if (from_file && i == item.claims.size()) break;  // item.error says why
     if (!from_file && !record.truth) {
-      io::fail(*item.chunk.file, "has no claims to judge; name a file of claims (--claims)");
+      io::fail(*item.chunk.file, fmt::format("query {} has no claim; name a file of claims (--claims)", record.number));
     }
     const auto& [claim, separation] =
         from_file ? item.claims[i] : StatedClaim{{*record.truth, std::nullopt}, item.truth_separation};
@@ -284,7 +284,8 @@ void add_certify(CLI::App& program, Command& command) {
   subcommand
       ->add_option("--claims", options->claims,
                    "The claims to judge: CSV whose header names query and contact, and optionally file and toi, one "
-                   "row a query in the order of the queries (default: the truth column of the query files)")
+                   "row a query in the order of the queries; or, named *.json, a list of true and false (default: the "
+                   "truth column of the query files)")
       ->type_name("FILE");
   subcommand
       ->add_option(

@@ -5,6 +5,7 @@
 
 #include <filesystem>
 
+#include "cli/shared/json_list.hpp"
 #include "cli/shared/progress/interrupt.hpp"
 #include "cli/shared/words.hpp"
 #include "io/fail.hpp"
@@ -14,20 +15,22 @@ namespace touchstone::cli {
 
 ClaimStream::ClaimStream(const std::string& path, const std::vector<Input>& inputs, const SeparationOption& separation,
                          SeparationsOfFile separations_of_file, std::size_t chunk_bytes)
-    : inputs_(inputs),
-      separation_(separation),
-      separations_of_file_(separations_of_file),
-      reader_(io::InputFile::open(path, throw_if_interrupted), chunk_bytes) {}
+    : name_(path), inputs_(inputs), separation_(separation), separations_of_file_(separations_of_file) {
+  if (path.ends_with(".json")) {
+    listed_ = read_json_list<bool>(path, [](const json::JsonNode& node) { return node.boolean(); });
+  } else {
+    reader_.emplace(io::InputFile::open(path, throw_if_interrupted), chunk_bytes);
+  }
+}
 
 void ClaimStream::read(const QueryItem& item, std::vector<StatedClaim>& claims) {
   const Input& input = inputs_[item.input];
   for (std::size_t i = 0; i < item.chunk.query_count; ++i) {
     const std::uint64_t query = item.chunk.first_query + i;
     io::AnswerRow row;
-    if (!reader_.next(row)) {
-      io::fail(reader_.name(), reader_.last_row(),
-               fmt::format("the claims end here, after {}; query {} of {} has none", grouped(claims_), query,
-                           io::printable(input.name)));
+    if (!next(query, row)) {
+      refuse(reader_ ? reader_->last_row() : 0, fmt::format("the claims end here, after {}; query {} of {} has none",
+                                                            grouped(claims_), query, io::printable(input.name)));
     }
     if (row.file && !(has_known_file_ && known_input_ == item.input && known_file_ == *row.file)) {
       check_file(row, input);
@@ -36,10 +39,9 @@ void ClaimStream::read(const QueryItem& item, std::vector<StatedClaim>& claims) 
       has_known_file_ = true;
     }
     if (row.query != query) {
-      io::fail(
-          reader_.name(), row.row,
-          fmt::format("query is {} where {} of {} comes next; claims must be in the order of the queries, one each",
-                      row.query, query, io::printable(input.name)));
+      refuse(row.row,
+             fmt::format("query is {} where {} of {} comes next; claims must be in the order of the queries, one each",
+                         row.query, query, io::printable(input.name)));
     }
     const Separation separation = separation_of(row);
     if (separations_of_file_ == SeparationsOfFile::one) check_one_separation(separation, row.row, query, input);
@@ -50,17 +52,28 @@ void ClaimStream::read(const QueryItem& item, std::vector<StatedClaim>& claims) 
 
 void ClaimStream::finish() {
   io::AnswerRow row;
-  if (!reader_.next(row)) return;
-  io::fail(reader_.name(), row.row,
-           fmt::format("a claim too many; there are only {} in the query files", counted(claims_, "query")));
+  if (!next(0, row)) return;
+  refuse(row.row, fmt::format("a claim too many; there are only {} in the query files", counted(claims_, "query")));
+}
+
+bool ClaimStream::next(std::uint64_t query, io::AnswerRow& row) {
+  if (reader_) return reader_->next(row);
+  if (claims_ == listed_.size()) return false;
+  row.query = query;
+  row.contact = listed_[claims_];
+  return true;
+}
+
+void ClaimStream::refuse(std::uint64_t row, const std::string& reason) const {
+  if (!reader_) io::fail(name_, reason);
+  io::fail(name_, row, reason);
 }
 
 Separation ClaimStream::separation_of(const io::AnswerRow& row) const {
   if (!separation_.given) return row.separation.value_or(Separation());
   if (row.separation && !io::same_question(*row.separation, separation_.separation)) {
-    io::fail(reader_.name(), row.row,
-             fmt::format("the claim is about {}; --separation and --metric ask for {}",
-                         separation_for_person(*row.separation), separation_for_person(separation_.separation)));
+    refuse(row.row, fmt::format("the claim is about {}; --separation and --metric ask for {}",
+                                separation_for_person(*row.separation), separation_for_person(separation_.separation)));
   }
   return separation_.separation;
 }
@@ -69,20 +82,20 @@ void ClaimStream::check_one_separation(const Separation& separation, std::uint64
                                        const Input& input) {
   if (query == 0) file_separation_ = separation;
   if (io::same_question(separation, file_separation_)) return;
-  io::fail(reader_.name(), row,
-           fmt::format(
-               "the claim is about {}, and the first one about {} is about {}; in a file of proofs, as --proofs "
-               "writes it, the queries of a file have one separation",
-               separation_for_person(separation), io::printable(input.name), separation_for_person(file_separation_)));
+  refuse(row,
+         fmt::format("the claim is about {}, and the first one about {} is about {}; in a file of proofs, as --proofs "
+                     "writes it, the queries of a file have one separation",
+                     separation_for_person(separation), io::printable(input.name),
+                     separation_for_person(file_separation_)));
 }
 
 void ClaimStream::check_file(const io::AnswerRow& row, const Input& input) {
   const std::filesystem::path claimed(*row.file);
   if (claimed.lexically_normal() == std::filesystem::path(input.name).lexically_normal()) return;
-  io::fail(reader_.name(), row.row,
-           fmt::format("file is {} where {} comes next; claims must be in the order of the queries, and name the files "
-                       "as the command line does",
-                       io::in_quotes(*row.file), io::in_quotes(input.name)));
+  refuse(row.row,
+         fmt::format("file is {} where {} comes next; claims must be in the order of the queries, and name the files "
+                     "as the command line does",
+                     io::in_quotes(*row.file), io::in_quotes(input.name)));
 }
 
 }  // namespace touchstone::cli

@@ -1,9 +1,10 @@
-// An answers file, read in step with the queries of its claims.
+// A file of claims, read in step with the queries that they are about.
 // SPDX-License-Identifier: MIT
 #pragma once
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -24,13 +25,14 @@ struct StatedClaim {
 /// Whether the claims about one query file may be about several separations.
 enum class SeparationsOfFile : bool { one, several };
 
-/// The claims of an answers file must be in the order of the queries, one for each: its `query` column counts from 0
-/// within each query file, and its `file` column, if it has one, names the file as the command line does.
+/// The claims must be in the order of the queries, one for each. The `query` column of an answers file counts from 0
+/// within each query file, and its `file` column, if it has one, names the file as the command line does. A file whose
+/// name ends in .json is a JSON list of booleans: whether there is contact.
 class ClaimStream {
  public:
   /// @param separation  what the claims must be about. When it is not given, a claim is about the separation of its
   ///                    row, and about touching when the file has no such column
-  /// @throws FileError when the file cannot be read or its header is not that of an answers file
+  /// @throws FileError when the file cannot be read, is no list of booleans or has not the header of an answers file
   ClaimStream(const std::string& path, const std::vector<Input>& inputs, const SeparationOption& separation,
               SeparationsOfFile separations_of_file, std::size_t chunk_bytes);
 
@@ -42,17 +44,21 @@ class ClaimStream {
   void finish();
 
  private:
+  bool next(std::uint64_t query, io::AnswerRow& row);
   void check_file(const io::AnswerRow& row, const Input& input);
 
   Separation separation_of(const io::AnswerRow& row) const;
   void check_one_separation(const Separation& separation, std::uint64_t row, std::uint64_t query, const Input& input);
+  [[noreturn]] void refuse(std::uint64_t row, const std::string& reason) const;
 
+  std::string name_;
   const std::vector<Input>& inputs_;
   const SeparationOption& separation_;
   SeparationsOfFile separations_of_file_;
   Separation file_separation_;  ///< of the first claim about the present query file
-  io::AnswerReader reader_;
-  std::string known_file_;  ///< the last name that was compared, and found to be that of known_input_
+  std::optional<io::AnswerReader> reader_;
+  std::vector<bool> listed_;  ///< without a reader
+  std::string known_file_;    ///< the last name that was compared, and found to be that of known_input_
   std::size_t known_input_ = 0;
   bool has_known_file_ = false;
   std::uint64_t claims_ = 0;

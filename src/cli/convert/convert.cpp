@@ -38,12 +38,18 @@ io::QueryFormat format_to_write(const ConvertOptions& options) {
                           options.to == "-" ? "standard output" : io::printable(options.to)));
 }
 
+/// Whether the first query has a claim. Where claims are kept, the others must then have one, or none.
+bool has_claims(const QueryItem& first) {
+  if (first.chunk.array != nullptr) return first.chunk.array->has_claims();
+  io::QueryRecord record;
+  return io::QueryParser(first.chunk).next(record) && record.truth.has_value();
+}
+
 io::WrittenFile file_to_write(const ConvertOptions& options, const QueryItem& first) {
   io::WrittenFile file;
   file.format = format_to_write(options);
   file.kind = first.chunk.kind;
-  const bool has_claims = first.chunk.array == nullptr || first.chunk.array->has_claims();
-  file.with_claims = options.claims == Claims::solve || (options.claims == Claims::keep && has_claims);
+  file.with_claims = options.claims == Claims::solve || (options.claims == Claims::keep && has_claims(first));
   if (file.with_claims) file.separation = io::stated_separation(first.chunk);
   file.signed_zeros = !options.unsigned_zeros;
   if (const std::string fault = io::fault_of_written_file(file); !fault.empty()) io::fail(options.to, fault);
@@ -76,6 +82,10 @@ void encode_queries(ConvertItem& item, const ConvertOptions& options, const io::
     std::optional<bool> claim = record.truth;
     if (options.claims == Claims::solve) {
       claim = answer_to(record.query, Method::fast, file.separation.value_or(Separation())).contact;
+    } else if (options.claims == Claims::keep && claim.has_value() != file.with_claims) {
+      io::fail(*item.chunk.file, record.first_row,
+               fmt::format("query {} has {} claim, and the first query has {}", record.number, claim ? "a" : "no",
+                           claim ? "none" : "one"));
     }
     item.encoded->add(*item.chunk.file, record, claim);
     ++item.queries;

@@ -205,7 +205,9 @@ void add_fuzz(CLI::App& program, Command& command) {
           ->add_option(
               "--from", options->from,
               "Queries of these files, straight or curved, instead of families: each as it is, and with --climb also "
-              "queries around it. The name of each file's folder is their kind, or else the one --kind is")
+              "queries around it. The name of each file's folder is their kind, or that of a file such as 227ee.csv, "
+              "or "
+              "else the one --kind is")
           ->type_name("FILE");
   for (CLI::Option* const option : of_families) from->excludes(option);
   std::string with_separation;

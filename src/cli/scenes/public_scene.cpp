@@ -13,10 +13,10 @@
 
 #include <touchstone/error.hpp>
 
+#include "cli/shared/json_list.hpp"
 #include "cli/shared/progress/interrupt.hpp"
 #include "cli/shared/words.hpp"
 #include "io/fail.hpp"
-#include "io/whole_file.hpp"
 #include "json/json_node.hpp"
 #include "sequence/checks.hpp"
 #include "sequence/frame_list.hpp"
@@ -145,22 +145,6 @@ class PublicNumbers {
   std::vector<MeshIndex> edges_;  // by their order in the data set
 };
 
-/// What `read_it` gives; its errors name the file.
-template <class Item, class Read>
-std::vector<Item> read_list(const std::string& file, const Read& read_it) {
-  const auto content = io::WholeFile::read(file, io::kJsonLimits, throw_if_interrupted);
-  try {
-    const json::JsonDocument document = json::parse_json(content.bytes());
-    std::vector<Item> all;
-    for (const json::JsonNode& node : json::JsonNode(document.value(), "the list").items()) {
-      all.push_back(read_it(node));
-    }
-    return all;
-  } catch (const Error& error) {
-    io::fail(file, error.what());
-  }
-}
-
 /// Appends the pairs of one kind.
 void add_judged(const PublicStepFiles::Truth& truth, bool edges, const PublicNumbers& numbers, PublicStep& step) {
   if (truth.pairs.empty()) return;
@@ -179,9 +163,9 @@ void add_judged(const PublicStepFiles::Truth& truth, bool edges, const PublicNum
     if (!once.insert(pair).second) node.fail("is a pair that the list has already");
     return pair;
   };
-  const std::vector<MeshPair> pairs = read_list<MeshPair>(truth.pairs, read_pair);
+  const std::vector<MeshPair> pairs = read_json_list<MeshPair>(truth.pairs, read_pair);
   const std::vector<bool> touches =
-      read_list<bool>(truth.verdicts, [](const json::JsonNode& node) { return node.boolean(); });
+      read_json_list<bool>(truth.verdicts, [](const json::JsonNode& node) { return node.boolean(); });
   if (pairs.size() != touches.size()) {
     io::fail(truth.verdicts, fmt::format("has {}, and {} has {}", counted(touches.size(), "truth"),
                                          io::printable(truth.pairs), counted(pairs.size(), "pair")));

@@ -56,7 +56,7 @@ std::string shell_word(const std::string& word) {
 std::string explain_command(const std::string& file, Kind kind, std::uint64_t query, const Separation& separation,
                             double t_max) {
   std::string options;
-  if (io::kind_of_folder(file) != kind) options = fmt::format(" --kind {}", name_of(kind));
+  if (io::kind_of_path(file) != kind) options = fmt::format(" --kind {}", name_of(kind));
   options += separation_arguments(separation);
   if (t_max != 1) options += " --t-max " + io::hexfloat(t_max);
   const std::string end_of_options = file.starts_with('-') ? " --" : "";

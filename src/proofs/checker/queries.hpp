@@ -341,14 +341,17 @@ class QueryFile {
       corner.motion = Corner::kOnCurve;
       corner.size = 2;
       read_row(corner.points[row / query.kind.corners]);
-      if (row == 0) truth = columns_[6];
-      require(columns_[6] == truth, "the last column must be the same in all rows of a query");
+      const std::string_view column = columns_.size() == 7 ? columns_[6] : std::string_view();
+      if (row == 0) truth = column;
+      require(column == truth, "the last column must be the same in all rows of a query");
       next_row();
     }
   }
-  /// Three fractions, and the answer that the file claims, which is not used here.
+  /// Three fractions, and the answer that the file claims if it does, which is not used here.
   void read_row(Point& point) {
-    if (columns_.size() != 7) throw lines_.bad("a row has 7 columns, but here are " + std::to_string(columns_.size()));
+    if (columns_.size() != 6 && columns_.size() != 7) {
+      throw lines_.bad("a row has 6 or 7 columns, but here are " + std::to_string(columns_.size()));
+    }
     for (std::size_t i = 0; i < 6; ++i) {
       mpz_class& x = i % 2 == 0 ? point[i / 2].numerator : point[i / 2].denominator;
       if (!read_integer(columns_[i], x)) {
@@ -356,7 +359,7 @@ class QueryFile {
       }
       if (i % 2 == 1 && sgn(x) <= 0) throw lines_.bad("a denominator must be positive: " + quoted(columns_[i]));
     }
-    require(columns_[6] == "0" || columns_[6] == "1", "the last column must be 0 or 1");
+    require(columns_.size() == 6 || columns_[6] == "0" || columns_[6] == "1", "the last column must be 0 or 1");
   }
 
   /// The row "query", and then the corners, and each motion before the first corner on it.

@@ -50,7 +50,8 @@ void add_kind_option(CLI::App& subcommand, std::optional<Kind>& kind) {
       .add_option_function<std::string>(
           "--kind", [&kind](const std::string& name) { kind = from_name<Kind>(name); },
           "The kind of the files' queries: " + io::kind_names() +
-              " (default: that of a binary file, or else the name of each file's folder)")
+              " (default: that of a binary file, or else the name of each file's folder, or of a file such as "
+              "227ee.csv)")
       ->type_name("KIND")
       ->check(kind_check());
 }

@@ -159,7 +159,7 @@ std::string fault_of_written_file(const WrittenFile& file) {
   if (file.format == QueryFormat::npy && file.with_claims) {
     return "npy has no room for claims; --claims drop leaves them out";
   }
-  if (is_text(file.format) && !file.with_claims) {
+  if (file.format == QueryFormat::hexfloat && !file.with_claims) {
     return name + " has a claim for each query; --claims solve computes them";
   }
   if (file.format == QueryFormat::hdf5 && file.separation) {
@@ -178,7 +178,7 @@ void EncodedQueries::add_doubles(const Query& query) {
 }
 
 void EncodedQueries::add(const std::string& source, const QueryRecord& record, std::optional<bool> truth) {
-  const bool claim = file_.with_claims && truth.value();
+  const std::optional<bool> claim = file_.with_claims ? std::optional(truth.value()) : std::nullopt;
   ++count_;
   if (const auto* const rational = std::get_if<RationalQuery>(&record.query)) {
     if (file_.format != QueryFormat::csv) refuse_rational(source, record, file_.format);
@@ -187,7 +187,7 @@ void EncodedQueries::add(const std::string& source, const QueryRecord& record, s
   }
   const auto* const curved = std::get_if<CurvedQuery>(&record.query);
   if (curved != nullptr && file_.format == QueryFormat::hexfloat) {
-    append_query(pieces_[0], *curved, claim);
+    append_query(pieces_[0], *curved, claim.value());
     return;
   }
   const auto straight = curved != nullptr ? straight_motion_of(*curved) : std::optional(std::get<Query>(record.query));
@@ -201,11 +201,11 @@ void EncodedQueries::add(const std::string& source, const QueryRecord& record, s
       if (file_.signed_zeros && has_minus_zero(*straight)) refuse_minus_zero(source, record, *straight);
       append_query(pieces_[0], *straight, claim);
       return;
-    case QueryFormat::hexfloat: append_query(pieces_[0], on_curves(*straight), claim); return;
+    case QueryFormat::hexfloat: append_query(pieces_[0], on_curves(*straight), claim.value()); return;
     case QueryFormat::binary:
     case QueryFormat::hdf5:
       add_doubles(*straight);
-      if (file_.with_claims) pieces_.back() += claim ? '\1' : '\0';
+      if (claim) pieces_.back() += *claim ? '\1' : '\0';
       return;
     case QueryFormat::npy: add_doubles(*straight); return;
   }

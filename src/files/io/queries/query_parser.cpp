@@ -176,11 +176,12 @@ void QueryParser::skip_line(std::string_view line) noexcept {
 }
 
 /// The truth of row `row` of a query, counted from 0, must be that of its first.
-void QueryParser::check_truth(QueryRecord& record, std::size_t row, bool truth) const {
+void QueryParser::check_truth(QueryRecord& record, std::size_t row, std::optional<bool> truth) const {
   if (row == 0) record.truth = truth;
   if (record.truth == truth) return;
+  const auto text = [](std::optional<bool> column) { return !column ? "missing" : *column ? "1" : "0"; };
   fail(*chunk_.file, row_,
-       std::string("truth is ") + (truth ? "1" : "0") + " here and " + (truth ? "0" : "1") + " in row " +
+       std::string("truth is ") + text(truth) + " here and " + text(record.truth) + " in row " +
            std::to_string(record.first_row) + ", where the same query " + std::to_string(record.number) +
            " starts; all " + std::to_string(rows_per_query(chunk_.kind)) + " rows of " + an(name_of(chunk_.kind)) +
            " query must agree");

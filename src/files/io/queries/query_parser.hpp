@@ -21,7 +21,7 @@ using FileQuery = std::variant<Query, RationalQuery, CurvedQuery>;
 /// One query of a file, with the claim of its truth column.
 struct QueryRecord {
   FileQuery query;
-  std::optional<bool> truth;    ///< the file's truth column; nothing in a file of doubles without claims
+  std::optional<bool> truth;    ///< the file's truth column; nothing in a file without claims
   std::uint64_t number = 0;     ///< counted from 0 within the file
   std::uint64_t first_row = 0;  ///< line number of its first row, counted from 1; a file of doubles counts as CSV rows
   std::uint64_t last_row = 0;
@@ -45,7 +45,7 @@ class QueryParser {
   void skip_to_row() noexcept;
   bool next_curved(QueryRecord& record);
   bool next_of_array(QueryRecord& record);
-  void check_truth(QueryRecord& record, std::size_t row, bool truth) const;
+  void check_truth(QueryRecord& record, std::size_t row, std::optional<bool> truth) const;
   [[noreturn]] void refuse_truncated(std::size_t rows) const;
 
   const QueryChunk& chunk_;

@@ -88,46 +88,49 @@ constexpr auto kWrittenPowers = [] {
   return powers;
 }();
 
-/// The exponent of a denominator 2^k of 9 to 16 digits that ends at a comma, or -1: it may be another one.
+/// What may follow a number. A zero byte ends the text, or is refused later.
+constexpr bool ends_column(char c) { return c == ',' || c == '\n' || c == '\r' || c == '\0'; }
+
+/// The exponent of a denominator 2^k of 9 to 16 digits, or -1: it may be another one. `text` goes to its end.
 int read_written_power(const char*& text) noexcept {
   std::uint64_t first, last;
   std::memcpy(&first, text, 8);
   if (count_digits(first) < 8) return -1;
   std::memcpy(&last, text + 8, 8);
   const std::size_t count = count_digits(last);
-  if (count == 0 || text[8 + count] != ',') return -1;
+  if (count == 0 || !ends_column(text[8 + count])) return -1;
   const WrittenPower& power = kWrittenPowers[8 + count - kLeastWritten][first & 0xF];
   if (first != power.first || last << 8 * (8 - count) != power.last << 8 * (8 - count)) return -1;
-  text += 8 + count + 1;
+  text += 8 + count;
   return power.exponent;
 }
 
-/// The exponent of a denominator 2^k that ends at a comma, or -1.
+/// The exponent of a denominator 2^k, or -1. `text` goes to its end.
 int read_power_of_two(const char*& text) noexcept {
   if constexpr (std::endian::native == std::endian::little) {
     if (const int exponent = read_written_power(text); exponent >= 0) return exponent;
   }
   std::uint64_t high = 0;
   const char* end = read_digits(text, kDigitsOf64Bits, high);
-  if (*end == ',') {
+  if (ends_column(*end)) {
     if (end == text || !is_power_of_two(high)) return -1;
-    text = end + 1;
+    text = end;
     return std::countr_zero(high);
   }
   // 20 to 38 digits: high * 10^k + low < 10^38 < 2^127.
   __extension__ using Wide = unsigned __int128;
   std::uint64_t low = 0;
   const char* const last = read_digits(end, kDigitsOf64Bits, low);
-  if (*last != ',') return -1;
+  if (!ends_column(*last)) return -1;
   const Wide value = Wide{high} * kPowersOfTen[static_cast<std::size_t>(last - end)] + low;
   const auto top = static_cast<std::uint64_t>(value >> 64);
   const auto bottom = static_cast<std::uint64_t>(value);
-  text = last + 1;
+  text = last;
   if (top == 0) return is_power_of_two(bottom) ? std::countr_zero(bottom) : -1;
   return bottom == 0 && is_power_of_two(top) ? 64 + std::countr_zero(top) : -1;
 }
 
-/// Reads "numerator,denominator," as a double.
+/// Reads "numerator,denominator" as a double. `text` goes to its end.
 bool read_usual_coordinate(const char*& text, double& coordinate) noexcept {
   constexpr std::uint64_t kExactIntegers = std::uint64_t{1} << 53;
   const bool negative = *text == '-';
@@ -171,12 +174,17 @@ std::string fault_of(std::string_view field, std::size_t column) {
 }  // namespace
 
 const char* read_usual_row(const char* text, DoubleRow& row) noexcept {
-  if (!read_usual_coordinate(text, row.corner.x) || !read_usual_coordinate(text, row.corner.y) ||
+  if (!read_usual_coordinate(text, row.corner.x) || *text++ != ',' ||  //
+      !read_usual_coordinate(text, row.corner.y) || *text++ != ',' ||  //
       !read_usual_coordinate(text, row.corner.z)) {
     return nullptr;
   }
-  if (*text != '0' && *text != '1') return nullptr;
-  row.truth = *text++ == '1';
+  row.truth = std::nullopt;
+  if (*text == ',') {
+    if (text[1] != '0' && text[1] != '1') return nullptr;
+    row.truth = text[1] == '1';
+    text += 2;
+  }
   if (*text == '\r') ++text;
   if (*text == '\n') return text + 1;
   return *text == '\0' ? text : nullptr;
@@ -196,12 +204,13 @@ std::optional<RowFields> read_row(std::string_view line, std::string& reason) {
     ++columns;
     start = comma == std::string_view::npos ? comma : comma + 1;
   }
-  if (columns != fields.size()) {
+  const bool has_truth = columns == fields.size();
+  if (!has_truth && columns != fields.size() - 1) {
     reason = std::to_string(columns) + (columns == 1 ? " column" : " columns") +
-             "; a row has 7: x_num,x_den,y_num,y_den,z_num,z_den,truth";
+             "; a row has 7: x_num,x_den,y_num,y_den,z_num,z_den,truth, or 6 without truth";
     return std::nullopt;
   }
-  for (std::size_t column = 0; column < fields.size(); ++column) {
+  for (std::size_t column = 0; column < columns; ++column) {
     reason = fault_of(fields[column], column);
     if (!reason.empty()) return std::nullopt;
   }
@@ -209,7 +218,7 @@ std::optional<RowFields> read_row(std::string_view line, std::string& reason) {
   for (std::size_t axis = 0; axis < 3; ++axis) {
     row.corner[axis] = {std::string(fields[2 * axis]), std::string(fields[2 * axis + 1])};
   }
-  row.truth = fields[6] == "1";
+  if (has_truth) row.truth = fields[6] == "1";
   return row;
 }
 

@@ -1,4 +1,4 @@
-// One row of a query file: x_num,x_den,y_num,y_den,z_num,z_den,truth.
+// One row of a query file: x_num,x_den,y_num,y_den,z_num,z_den and, where the file has it, truth.
 // SPDX-License-Identifier: MIT
 #pragma once
 
@@ -17,7 +17,7 @@ inline constexpr std::size_t kMostDigits = 4096;
 /// A row whose coordinates are doubles.
 struct DoubleRow {
   Vec3 corner;
-  bool truth = false;
+  std::optional<bool> truth;  ///< nothing in a row of six columns
 };
 
 /// Reads the row at `text` if it has the usual form: no blanks, coordinates that are doubles, numerators of at most
@@ -29,12 +29,12 @@ const char* read_usual_row(const char* text, DoubleRow& row) noexcept;
 /// Any well-formed row, as text.
 struct RowFields {
   std::array<Fraction, 3> corner;
-  bool truth = false;
+  std::optional<bool> truth;  ///< nothing in a row of six columns
 };
 
-/// Splits a line (with or without its '\r') into its columns, and checks all of it: seven columns, decimal integers
-/// with an optional '-' and blanks around them, positive denominators, truth 0 or 1. A sign on a denominator, a leading
-/// '+', decimal points and exponents are refused, because they belong to other formats.
+/// Splits a line (with or without its '\r') into its columns, and checks all of it: six columns or seven, decimal
+/// integers with an optional '-' and blanks around them, positive denominators, truth 0 or 1. A sign on a denominator,
+/// a leading '+', decimal points and exponents are refused, because they belong to other formats.
 /// @returns nothing when the line is not such a row; `reason` then says why
 std::optional<RowFields> read_row(std::string_view line, std::string& reason);
 

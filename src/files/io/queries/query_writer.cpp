@@ -34,22 +34,27 @@ std::string decimal(std::uint64_t odd, int twos) {
   return text;
 }
 
-void append_row(std::string& out, const std::array<Fraction, 3>& corner, bool truth) {
+void append_row(std::string& out, const std::array<Fraction, 3>& corner, std::optional<bool> truth) {
   for (const auto& coordinate : corner) {
     out += coordinate.numerator;
     out += ',';
     out += coordinate.denominator;
     out += ',';
   }
-  out += truth ? "1\n" : "0\n";
+  if (truth) {
+    out += *truth ? "1" : "0";
+  } else {
+    out.pop_back();
+  }
+  out += '\n';
 }
 
-void append_row(std::string& out, const Vec3& corner, bool truth) {
+void append_row(std::string& out, const Vec3& corner, std::optional<bool> truth) {
   append_row(out, std::array{fraction_of(corner.x), fraction_of(corner.y), fraction_of(corner.z)}, truth);
 }
 
 template <class AnyQuery>
-void append_rows(std::string& out, const AnyQuery& query, bool truth) {
+void append_rows(std::string& out, const AnyQuery& query, std::optional<bool> truth) {
   const std::size_t corners = corner_count(query.kind);
   for (std::size_t i = 0; i < corners; ++i) append_row(out, query.start[i], truth);
   for (std::size_t i = 0; i < corners; ++i) append_row(out, query.end[i], truth);
@@ -71,8 +76,10 @@ Fraction fraction_of(double value) {
   return fraction;
 }
 
-void append_query(std::string& out, const Query& query, bool truth) { append_rows(out, query, truth); }
+void append_query(std::string& out, const Query& query, std::optional<bool> truth) { append_rows(out, query, truth); }
 
-void append_query(std::string& out, const RationalQuery& query, bool truth) { append_rows(out, query, truth); }
+void append_query(std::string& out, const RationalQuery& query, std::optional<bool> truth) {
+  append_rows(out, query, truth);
+}
 
 }  // namespace touchstone::io

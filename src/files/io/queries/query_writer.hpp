@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include <touchstone/query.hpp>
@@ -11,10 +12,11 @@ namespace touchstone::io {
 /// The exact value of a finite double, in lowest terms with a positive denominator (a power of two).
 Fraction fraction_of(double value);
 
-/// Appends the rows of one query, each with this truth, to the text of a query file. The coordinates must be finite.
-void append_query(std::string& out, const Query& query, bool truth);
+/// Appends the rows of one query to the text of a query file, each with this truth, or of six columns without one. The
+/// coordinates must be finite.
+void append_query(std::string& out, const Query& query, std::optional<bool> truth);
 
 /// The same for rational coordinates, as they are written: no fraction is reduced.
-void append_query(std::string& out, const RationalQuery& query, bool truth);
+void append_query(std::string& out, const RationalQuery& query, std::optional<bool> truth);
 
 }  // namespace touchstone::io
