@@ -20,10 +20,6 @@
 namespace touchstone::cli {
 namespace {
 
-constexpr const char* kProofsAreOfTheFile =
-    "a proof is about the file's own queries: convert --shorter-turn --claims solve writes a file with the shorter "
-    "ones";
-
 struct ProveItem : QueryItem {
   ProvedQueries proved;
   Counts counts;
@@ -51,7 +47,8 @@ int run_prove(const ProveOptions& options) {
 
   QueryStream stream(inputs, options.chunk_bytes, io::Motions::any);
   Counts counts;
-  TurnNotes turns(inputs, io::Turns::as_given, kProofsAreOfTheFile);
+  TurnNotes turns(inputs, io::Turns::as_given,
+                  std::string("a proof is about the file's own queries: ") + kConvertForShorterTurns);
   QueryProgress progress(inputs);
   const int threads = run_in_order<ProveItem>(
       thread_count(options.threads), [&](ProveItem& item) { return stream.next(item); },

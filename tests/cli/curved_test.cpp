@@ -156,6 +156,10 @@ TEST_CASE("longer turns are told once a file, and --shorter-turn takes the short
   CHECK(occurrences(explained.err, ": warning: the motion in row 9 takes the longer of two turns") == 1);
   CHECK(occurrences(explained.out, "\nanswer: no contact") == 0);
   CHECK(occurrences(run_program({"explain", "--query", "1", "--shorter-turn", file}).out, "\nanswer: no contact") == 1);
+  // fuzz, which asks about the file as it is.
+  const Run fuzzed = run_program({"fuzz", "--from", file, "--cases", "1"});
+  CHECK(occurrences(fuzzed.err, file + ": warning: 2 motions, the first in row 9, take the longer of two turns") == 1);
+  CHECK(occurrences(fuzzed.err, "; convert --shorter-turn --claims solve writes a file with the shorter ones\n") == 1);
   // prove, which is about the file as it is, and convert, which makes another.
   const Run proved = run_program({"prove", file});
   CHECK(proved.status == 0);

@@ -9,6 +9,7 @@
 
 #include <touchstone/curved.hpp>
 
+#include "cli/shared/command_line/turns.hpp"
 #include "cli/shared/inputs.hpp"
 #include "cli/shared/progress/interrupt.hpp"
 #include "generators/candidates.hpp"
@@ -80,10 +81,15 @@ ByKind random_queries(std::size_t count) {
 template <class AnyQuery>
 AnyByKind<AnyQuery> queries_of(const std::vector<Input>& inputs) {
   AnyByKind<AnyQuery> queries;
-  const auto take = [&queries](std::size_t, const io::QueryRecord& record) {
-    if (const auto* query = std::get_if<AnyQuery>(&record.query)) of_kind(queries, query->kind).push_back(*query);
+  TurnNotes turns(inputs, io::Turns::as_given, kConvertForShorterTurns);
+  const auto take = [&](std::size_t input, const io::QueryRecord& record) {
+    const auto* const query = std::get_if<AnyQuery>(&record.query);
+    if (query == nullptr) return;
+    of_kind(queries, query->kind).push_back(*query);
+    turns.add(input, record.longer_turns);
   };
   for_each_query(inputs, take, io::Motions::any);
+  turns.tell();
   return queries;
 }
 

@@ -11,6 +11,7 @@
 
 #include "cli/fuzz/findings_report.hpp"
 #include "cli/shared/command_line/common_options.hpp"
+#include "cli/shared/command_line/turns.hpp"
 #include "cli/shared/inputs.hpp"
 #include "cli/shared/words.hpp"
 #include "families/families.hpp"
@@ -49,7 +50,7 @@ std::vector<Input> inputs_of(const FuzzCommandOptions& options) {
   std::vector<Input> inputs;
   for (const std::string& file : options.from) {
     // --kind also selects among the queries of many files, so that it does not overrule a folder as it does in solve.
-    const auto found = find_inputs({file}, io::kind_of_folder(file) ? std::nullopt : kind);
+    const auto found = find_inputs({file}, io::kind_of_path(file) ? std::nullopt : kind);
     inputs.insert(inputs.end(), found.begin(), found.end());
   }
   return inputs;
@@ -61,8 +62,10 @@ std::vector<fuzz::AnyQuery> given_queries(const FuzzCommandOptions& options) {
   const std::vector<Input> inputs = inputs_of(options);
   std::vector<Count> counts(inputs.size());
   std::vector<fuzz::AnyQuery> queries;
+  TurnNotes turns(inputs, io::Turns::as_given, kConvertForShorterTurns);
   const auto take = [&](std::size_t input, const io::QueryRecord& record) {
     counts[input].add(record);
+    turns.add(input, record.longer_turns);
     if (const auto* const query = std::get_if<Query>(&record.query)) queries.push_back(*query);
     if (const auto* const curved = std::get_if<CurvedQuery>(&record.query)) queries.push_back(*curved);
   };
@@ -78,6 +81,7 @@ std::vector<fuzz::AnyQuery> given_queries(const FuzzCommandOptions& options) {
   for (std::size_t i = 0; i < inputs.size(); ++i) {
     if (counts[i].no_doubles > 0) print_error(counts[i].text(inputs[i].name));
   }
+  turns.tell();
   return queries;
 }
 

@@ -13,6 +13,7 @@
 
 #include "cli/report/page.hpp"
 #include "cli/shared/command_line/common_options.hpp"
+#include "cli/shared/command_line/turns.hpp"
 #include "cli/shared/inputs.hpp"
 #include "cli/shared/new_folders.hpp"
 #include "cli/shared/progress/progress_line.hpp"
@@ -101,7 +102,9 @@ GivenQueries read_queries(const std::string& source, const std::string& about, c
   GivenQueries given;
   ThinnedKinds<Query> straight(most);
   ThinnedKinds<CurvedQuery> curved(most);
-  const auto take = [&](std::size_t, const io::QueryRecord& record) {
+  TurnNotes turns(inputs, io::Turns::as_given, kConvertForShorterTurns);
+  const auto take = [&](std::size_t input, const io::QueryRecord& record) {
+    turns.add(input, record.longer_turns);
     if (const auto* const query = std::get_if<Query>(&record.query)) {
       straight.add(*query);
     } else if (const auto* const of_curves = std::get_if<CurvedQuery>(&record.query)) {
@@ -111,6 +114,7 @@ GivenQueries read_queries(const std::string& source, const std::string& about, c
     }
   };
   for_each_query(inputs, take, io::Motions::any);
+  turns.tell();
   straight.append_sets(source, about, &report::QuerySet::queries, given.sets);
   curved.append_sets(source + "-curved", about + ", those of curved motion", &report::QuerySet::curved, given.sets);
   return given;

@@ -17,10 +17,14 @@ void add_shorter_turn_option(CLI::App& subcommand, io::Turns& turns);
 /// " --shorter-turn", or nothing: the argument that asks for these turns.
 std::string turns_argument(io::Turns turns);
 
+/// What to do for shorter turns, where the command has not the option.
+inline constexpr const char* kConvertForShorterTurns =
+    "convert --shorter-turn --claims solve writes a file with the shorter ones";
+
 /// The longer turns of several files.
 class TurnNotes {
  public:
-  /// @param advice  what to do for shorter turns, where the command has not the option
+  /// @param advice  what to do for shorter turns
   explicit TurnNotes(const std::vector<Input>& inputs, io::Turns turns = io::Turns::as_given,
                      std::string advice = "--shorter-turn takes the shorter ones");
 
