@@ -200,7 +200,7 @@ TEST_CASE("counts that no file can hold ask for no memory") {
         {"a.ply", ply + "element other " + count + "\nproperty int a\nend_header\n0 0 0\n"},
         {"a.ply", ply + "element face " + count + "\nproperty list int int vertex_index\nend_header\n0 0 0\n"},
         {"a.ply", ply + "element face 1\nproperty list int int vertex_index\nend_header\n0 0 0\n" + count + " 0 0 0\n"},
-        {"a.ply", ply + "element other 1\nproperty list int int a\nend_header\n0 0 0\n" + count + " 0 0 0\n"},
+        {"a.ply", ply + "element other 1\nproperty list int float a\nend_header\n0 0 0\n" + count + " 0 0 0\n"},
         {"a.ply", "ply\nformat ascii 1.0\nelement vertex " + count +
                       "\nproperty int x\nproperty int y\nproperty int z\n" + "end_header\n0 0 0\n"},
         {"a.ply", binary + "element other " + count + "\nproperty list uint double a\nend_header\n" +

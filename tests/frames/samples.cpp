@@ -42,7 +42,7 @@ Sample ply_text() {
           "ply\nformat ascii 1.0\ncomment x y\nelement vertex 6\nproperty uchar red\nproperty double x\n"
           "property double y\nproperty double z\nproperty list uchar float more\nelement face 2\n"
           "property list uchar int vertex_indices\nproperty int flags\nelement edge 1\nproperty int vertex1\n"
-          "property int vertex2\nelement other 1\nproperty list int int a\nend_header\n" +
+          "property int vertex2\nelement other 1\nproperty list int float a\nend_header\n" +
               rows(kDoubles, "7 ", " 2 0.5 nan\n") + "3 0 1 2 5\n\n3 0 2 3 5\n3 4\n3 1 2 3\n",
           false, true, false};
 }

@@ -249,13 +249,19 @@ class PlyReader {
     }
   }
 
-  /// Elements of other names may hold anything. Those that name vertices, such as "faces", are not left out in silence.
+  /// Elements of other names may hold anything. Those that may name vertices, such as "faces", are not left out in
+  /// silence: by a list of integers, or by two of them. A camera has the integers of its picture, and a material those
+  /// of its colours.
   void refuse_numbers_of_vertices(const Element& element) {
     constexpr std::array<std::string_view, 4> kOfVertices = {"vertex_indices", "vertex_index", "vertex1", "vertex2"};
+    const bool is_known = element.name == "camera" || element.name == "material";
+    std::size_t integers = 0;
     for (const Property& property : element.properties) {
-      if (std::find(kOfVertices.begin(), kOfVertices.end(), property.name) == kOfVertices.end()) continue;
+      const bool may_be = !is_known && is_integer(property.type) && (property.count_type || ++integers > 1);
+      if (!may_be && std::find(kOfVertices.begin(), kOfVertices.end(), property.name) == kOfVertices.end()) continue;
       io::fail(file_, "element " + io::in_quotes(element.name) + " has the property " + io::in_quotes(property.name) +
-                          "; the elements that have vertices are called face and edge");
+                          ", which may be a number of a vertex; the elements that have vertices are called face and "
+                          "edge, and without this one the file is read");
     }
   }
 
