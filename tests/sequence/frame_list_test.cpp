@@ -125,6 +125,8 @@ TEST_CASE("a pattern is expanded, unless it is the name of a file") {
 TEST_CASE("the label of a frame is one line of valid UTF-8") {
   CHECK(FrameName{"a/b/c-1.obj", 0, false}.label() == "c-1.obj");
   CHECK(FrameName{"a/run.npy", 7, true}.label() == "run.npy[7]");
+  CHECK(FrameName{"a/b/c-1.obj", 0, false, 1}.label() == "b/c-1.obj");
+  CHECK(FrameName{"x/../b/./c-1.obj", 0, false, 1}.label() == "b/c-1.obj");
   CHECK(FrameName{"a/x\ny\x1b[1m.obj", 0, false}.label() == "x\\ny\\x1b[1m.obj");
   CHECK(FrameName{"a/\xff\x41.obj", 0, false}.label() == "\\xff\x41.obj");
 }

@@ -185,7 +185,13 @@ std::vector<std::string> matches_of(const std::string& pattern) {
 }  // namespace
 
 std::string FrameName::label() const {
-  std::string text = io::printable(std::filesystem::path(file).filename().string());
+  std::filesystem::path path = folders == 0 ? std::filesystem::path(file) : with_one_spelling(file);
+  std::filesystem::path shown = path.filename();
+  for (std::size_t i = 0; i < folders && path.has_parent_path(); ++i) {
+    path = path.parent_path();
+    shown = path.filename() / shown;
+  }
+  std::string text = io::printable(shown.string());
   if (several) text += fmt::format("[{}]", index);
   return text;
 }
@@ -244,11 +250,28 @@ std::vector<std::string> as_given(const std::vector<std::string>& arguments) {
   return files;
 }
 
+namespace {
+
+/// Whether frames of two files have one label.
+bool has_repeated_label(const std::vector<FrameName>& names) {
+  std::map<std::string, std::string> files;  // by label
+  return std::any_of(names.begin(), names.end(), [&](const FrameName& name) {
+    const auto [known, is_new] = files.emplace(name.label(), name.file);
+    return !is_new && !same_file(known->second, name.file);
+  });
+}
+
+}  // namespace
+
 std::vector<FrameName> frames_of(const std::vector<std::string>& files, const frames::ReadOptions& options) {
   std::vector<FrameName> all;
   for (const auto& file : files) {
     const std::size_t count = frames::frame_count(file, options);
     for (std::size_t i = 0; i < count; ++i) all.push_back({file, i, count > 1});
+  }
+  constexpr std::size_t kMostFolders = 8;
+  for (std::size_t folders = 1; folders <= kMostFolders && has_repeated_label(all); ++folders) {
+    for (FrameName& name : all) name.folders = folders;
   }
   return all;
 }
