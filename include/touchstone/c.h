@@ -231,6 +231,13 @@ void touchstone_mesh_destroy(touchstone_mesh* mesh);
  *  @return one of touchstone_status_code */
 int touchstone_mesh_keep(touchstone_mesh* mesh, int keep);
 
+/** Says whether there are two elements that could meet, and two groups of vertices that may collide, if there are
+ *  groups. Where it is 0, no pair is asked about, and a verdict about the mesh says nothing.
+ *  @param mesh       the mesh
+ *  @param has_pairs  becomes 1 or 0
+ *  @return one of touchstone_status_code */
+int touchstone_mesh_has_pairs(const touchstone_mesh* mesh, int* has_pairs);
+
 /** The corners of edge `edge` of a mesh: the edges that were given, and then the other edges of the faces.
  *  @param mesh     the mesh
  *  @param edge     the number of an edge

@@ -137,6 +137,10 @@ class Mesh {
   /// @throws InvalidMesh  for an element that does not exist
   bool may_collide(const MeshPair& pair) const;
 
+  /// Whether there are two elements that could meet, and two groups of vertices that may collide, if there are groups.
+  /// Where it is false, no pair is asked about, and a verdict about the mesh says nothing.
+  bool has_pairs() const;
+
   /// The separation of a pair. In three dimensions it is 0 for a pair of a vertex and an edge, if the vertex is in
   /// another edge: neighbours along a wire only fold onto each other. @throws InvalidMesh  for an element that does not
   /// exist

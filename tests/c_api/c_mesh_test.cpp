@@ -58,6 +58,10 @@ TEST_CASE("a mesh answers as the one of C++") {
     REQUIRE(handle != nullptr);
     REQUIRE(touchstone_mesh_keep(handle, keep) == TOUCHSTONE_OK);
     CHECK(touchstone_mesh_keep(handle, 2) == TOUCHSTONE_INVALID_ARGUMENT);
+    int has_pairs = 9;
+    REQUIRE(touchstone_mesh_has_pairs(handle, &has_pairs) == TOUCHSTONE_OK);
+    CHECK(has_pairs == 1);
+    CHECK(touchstone_mesh_has_pairs(handle, nullptr) == TOUCHSTONE_INVALID_ARGUMENT);
     std::uint32_t corners[2] = {9, 9};
     for (std::size_t e = 0; e < mesh.edges().size(); ++e) {
       REQUIRE(touchstone_mesh_edge(handle, e, corners) == TOUCHSTONE_OK);

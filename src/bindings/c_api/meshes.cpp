@@ -206,6 +206,10 @@ int touchstone_mesh_keep(touchstone_mesh* mesh, int keep) {
   });
 }
 
+int touchstone_mesh_has_pairs(const touchstone_mesh* mesh, int* has_pairs) {
+  return guarded([&] { required(has_pairs, "has_pairs") = required(mesh, "mesh").mesh.has_pairs() ? 1 : 0; });
+}
+
 int touchstone_mesh_edge(const touchstone_mesh* mesh, std::size_t edge, std::uint32_t corners[2]) {
   return guarded([&] {
     const auto& edges = required(mesh, "mesh").mesh.edges();

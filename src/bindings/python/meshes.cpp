@@ -217,7 +217,14 @@ void define_mesh(py::module_& module) {
                  elements_of({vertices, faces, edges, points, separation, metric, radii, dimension, excluded_vertices,
                               excluded_pairs, groups, group_pairs, only_listed_groups, pair_separations});
              const std::size_t size = elements.vertex_count;
-             return in_background(size, [&](const std::atomic<bool>&) { return Mesh(std::move(elements)); });
+             Mesh mesh = in_background(size, [&](const std::atomic<bool>&) { return Mesh(std::move(elements)); });
+             if (!mesh.has_pairs() &&
+                 PyErr_WarnEx(PyExc_UserWarning,
+                              "no two elements of this mesh may collide, so no question about it asks anything",
+                              1) != 0) {
+               throw py::error_already_set();
+             }
+             return mesh;
            }),
            py::arg("vertices"), py::arg("faces") = py::none(), py::arg("edges") = py::none(),
            py::arg("points") = py::none(), py::arg("separation") = 0.0, py::arg("metric") = "euclidean",
@@ -242,6 +249,8 @@ void define_mesh(py::module_& module) {
             return column_of<MeshIndex>(points, points.data(), self);
           },
           "(p,) uint32: the loose points, in ascending order")
+      .def("has_pairs", &Mesh::has_pairs,
+           "Whether there are two elements that could meet, and two groups that may collide, if there are groups.")
       .def(
           "may_collide", [](const Mesh& mesh, py::handle pair) { return mesh.may_collide(pair_of(pair)); },
           "Whether a pair (kind, first, second) is one that is asked about.")

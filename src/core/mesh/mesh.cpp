@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdio>
 #include <limits>
+#include <map>
 #include <string>
 #include <utility>
 
@@ -239,6 +240,7 @@ std::vector<std::uint64_t> sorted_pairs(const std::vector<std::array<Index, 2>>&
   sorted.reserve(pairs.size());
   for (const auto& [a, b] : pairs) sorted.push_back(mesh::unordered(a, b));
   std::sort(sorted.begin(), sorted.end());
+  sorted.erase(std::unique(sorted.begin(), sorted.end()), sorted.end());
   return sorted;
 }
 
@@ -339,6 +341,28 @@ bool Mesh::may_collide(const MeshPair& pair) const {
       break;
   }
   return mesh::rules_allow(*impl_, pair);
+}
+
+bool Mesh::has_pairs() const {
+  const Impl& mesh = *impl_;
+  // A face with its edges makes no pair.
+  if (mesh.points.size() + mesh.edges.size() <= (mesh.faces.empty() ? 1u : 3u)) return false;
+  if (mesh.groups.empty()) return true;
+  std::map<MeshIndex, std::size_t> sizes;  // of the groups
+  for (const MeshIndex vertex : mesh.vertices) ++sizes[mesh.groups[vertex]];
+  const auto size_of = [&](std::uint64_t group) {
+    const auto found = sizes.find(static_cast<MeshIndex>(group));
+    return found == sizes.end() ? std::size_t{0} : found->second;
+  };
+  const auto listed =
+      static_cast<std::size_t>(std::count_if(mesh.group_pairs.begin(), mesh.group_pairs.end(), [&](std::uint64_t pair) {
+        const std::uint64_t a = pair >> 32, b = pair & 0xFFFFFFFFu;
+        return a == b ? size_of(a) > 1 : size_of(a) > 0 && size_of(b) > 0;
+      }));
+  if (mesh.group_rule == GroupRule::only_listed) return listed > 0;
+  std::size_t all = sizes.size() * (sizes.size() - 1) / 2;
+  for (const auto& [group, size] : sizes) all += size > 1 ? 1 : 0;
+  return listed < all;
 }
 
 Separation Mesh::separation(const MeshPair& pair) const {
