@@ -112,7 +112,8 @@ TEST_CASE("what is wholly inside a closed body is told") {
   CHECK(verdict(scene).find("; 3 parts wholly inside a closed body") != std::string::npos);
   // An open body has no inside.
   scene.bodies[0].faces.pop_back();
-  CHECK(verdict(scene).find("inside") == std::string::npos);
+  CHECK(verdict(scene).find("wholly inside") == std::string::npos);
+  CHECK(verdict(scene).find("; 3 parts in the box around an open surface at the start") != std::string::npos);
 }
 
 TEST_CASE("a driven body that turns by a whole turn in a step is not at rest") {

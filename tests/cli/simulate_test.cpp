@@ -128,7 +128,7 @@ TEST_CASE("a run that is resumed writes what an uninterrupted one does, on any n
   const Run rest =
       run_program({"simulate", "--resume", path("part.json"), "--steps", "35", "--checkpoint", path("rest.json")});
   CHECK(rest.status == 0);
-  CHECK(final_line(rest.out) == "35 steps, 0 crossings");
+  CHECK(final_line(rest.out) == "35 steps, 0 crossings; left out: the radius of 1 cable that is not solid");
   CHECK(folder.read("rest.json") == folder.read("whole.json"));
   CHECK(folder.read("two.json") == folder.read("whole.json"));
 }
@@ -254,6 +254,7 @@ TEST_CASE("with the paper's solver as narrow phase the ball's edges get through 
 TEST_CASE("the whip goes through the wire with the paper's solver, and not with ours") {
   // At which sizes the closed form errs is a matter of rounding.
   int through = 0;
+  const std::string none = "30 steps, 0 crossings; left out: the radius of 1 cable that is not solid";
   for (const char* size : {"20", "30", "60", "150"}) {
     // Steps of 1.7 m: the scene's own are shorter.
     const std::vector<std::string> leap{
@@ -268,13 +269,13 @@ TEST_CASE("the whip goes through the wire with the paper's solver, and not with 
       ++through;
       CHECK(occurrences(paper.out, "crossing: step ") >= 1);
       CHECK(occurrences(paper.out, " s: edge 0-1 and edge ") >= 1);
-      CHECK(final_line(paper.out) != "30 steps, 0 crossings");
+      CHECK(final_line(paper.out) != none);
     } else {
-      CHECK(final_line(paper.out) == "30 steps, 0 crossings");
+      CHECK(final_line(paper.out) == none);
     }
     const Run exact = run_program(leap);
     CHECK(exact.status == 0);
-    CHECK(final_line(exact.out) == "30 steps, 0 crossings");
+    CHECK(final_line(exact.out) == none);
   }
   CHECK(through >= 1);
 }

@@ -56,6 +56,48 @@ TOUCHSTONE_BEHIND_GUARD std::size_t count_flat(const Mesh::Impl& mesh, const Pos
   }));
 }
 
+using Vector = geometry::Vector<double>;
+
+Vector from_to(const Vec3& a, const Vec3& b) noexcept { return {{b.x - a.x, b.y - a.y, b.z - a.z}}; }
+
+/// A lower bound of m . (u x v), or NaN. u and v are rounded differences, and m is as it is. A monomial passes two
+/// differences, two products and three sums: its error is at most 7 e, e = 2^-53, and terms of second order, relative
+/// to it. The bound has twice that of the sum of their sizes, and 2^-1000 for underflow, as |m| is at most 4.
+double least_product(const Vector& m, const Vector& u, const Vector& v) noexcept {
+  double sum = 0, size = 0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::size_t j = (i + 1) % 3, k = (i + 2) % 3;
+    const double one = u[j] * v[k], other = u[k] * v[j];
+    sum += m[i] * (one - other);
+    size += std::fabs(m[i]) * (std::fabs(one) + std::fabs(other));
+  }
+  return sum - 14 * 0x1p-53 * size - 0x1p-1000;
+}
+
+/// Whether a face is certainly not flat in the step. Its normal is quadratic in t: by Bernstein's basis
+/// (1 - t)^2 u0 x v0 + t (1 - t) (u0 x v1 + u1 x v0) + t^2 u1 x v1. So it is not zero if each of these three has a
+/// positive product with one vector m. Any m will do.
+bool never_flat(const mesh::MovingVertex& a, const mesh::MovingVertex& b, const mesh::MovingVertex& c) noexcept {
+  const Vector u0 = from_to(a.start, b.start), v0 = from_to(a.start, c.start);
+  const Vector u1 = from_to(a.end, b.end), v1 = from_to(a.end, c.end);
+  const auto unit = [](const Vector& x) {
+    const double length = std::sqrt(geometry::dot(x, x));
+    return Vector{{x[0] / length, x[1] / length, x[2] / length}};
+  };
+  const Vector n0 = unit(geometry::cross(u0, v0)), n1 = unit(geometry::cross(u1, v1));
+  const Vector m{{n0[0] + n1[0], n0[1] + n1[1], n0[2] + n1[2]}};
+  return least_product(m, u0, v0) > 0 && least_product(m, u1, v1) > 0 &&
+         least_product(m, u0, v1) + least_product(m, u1, v0) > 0;
+}
+
+TOUCHSTONE_BEHIND_GUARD std::size_t count_turning(const Mesh::Impl& mesh, const Positions& x0, const Positions& x1) {
+  if (mesh.faces.empty()) return 0;
+  const mesh::Motion motion = mesh::motion_of(mesh, x0, x1, 1);
+  return static_cast<std::size_t>(std::count_if(mesh.faces.begin(), mesh.faces.end(), [&](const auto& face) {
+    return !never_flat(motion[face[0]], motion[face[1]], motion[face[2]]);
+  }));
+}
+
 }  // namespace
 
 std::size_t coinciding_vertices(const Mesh& mesh, const Positions& x) {
@@ -66,6 +108,11 @@ std::size_t coinciding_vertices(const Mesh& mesh, const Positions& x) {
 std::size_t flat_faces(const Mesh& mesh, const Positions& x) {
   const numbers::DefaultFloatEnvironment environment;
   return count_flat(mesh.impl(), x);
+}
+
+std::size_t turning_faces(const Mesh& mesh, const Positions& x0, const Positions& x1) {
+  const numbers::DefaultFloatEnvironment environment;
+  return count_turning(mesh.impl(), x0, x1);
 }
 
 }  // namespace touchstone

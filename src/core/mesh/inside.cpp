@@ -65,29 +65,40 @@ BoxTree tree_of(const InsideSearch& search, std::size_t count, const std::functi
   return BoxTree(count, resting, search.threads);
 }
 
-/// The closed surfaces around pieces by their boxes, in ascending order.
-std::vector<Around> nested_boxes(const InsideSearch& search, const Pieces& pieces) {
+/// Calls found(inner, outer) for pieces that are asked about, each in the box around another piece of which is_outer is
+/// true. Several threads may call it at the same time.
+template <class IsOuter, class Found>
+void for_each_nested_box(const InsideSearch& search, const Pieces& pieces, const IsOuter& is_outer,
+                         const Found& found) {
   std::vector<Index> inner, outer;
   for (Index i = 0; i < pieces.size(); ++i) {
     if (!search.is_asked(pieces[i])) continue;
     inner.push_back(i);
-    if (pieces[i].is_closed()) outer.push_back(i);
+    if (is_outer(pieces[i])) outer.push_back(i);
   }
-  std::vector<Around> nested;
-  if (outer.empty() || inner.size() < 2) return nested;
+  if (outer.empty() || inner.size() < 2) return;
   const BoxTree outers = tree_of(search, outer.size(), [&](Index n) { return pieces[outer[n]].box; });
   const BoxTree inners = tree_of(search, inner.size(), [&](Index n) { return pieces[inner[n]].box; });
-  std::mutex lock;
   broad_phase::for_each_pair_block(outers, inners, {search.threads},
                                    [&](const broad_phase::Pair* pairs, std::size_t count) {
                                      check_stop(search.stop);
                                      for (std::size_t n = 0; n < count; ++n) {
                                        const Index o = outer[pairs[n][0]], i = inner[pairs[n][1]];
-                                       if (i == o || !is_within(pieces[i].box, pieces[o].box)) continue;
-                                       const std::lock_guard<std::mutex> guard(lock);
-                                       nested.push_back({i, o});
+                                       if (i != o && is_within(pieces[i].box, pieces[o].box)) found(i, o);
                                      }
                                    });
+}
+
+/// The closed surfaces around pieces by their boxes, in ascending order.
+std::vector<Around> nested_boxes(const InsideSearch& search, const Pieces& pieces) {
+  std::vector<Around> nested;
+  std::mutex lock;
+  for_each_nested_box(
+      search, pieces, [](const Piece& piece) { return piece.is_closed(); },
+      [&](Index inner, Index outer) {
+        const std::lock_guard<std::mutex> guard(lock);
+        nested.push_back({inner, outer});
+      });
   std::sort(nested.begin(), nested.end(),
             [](const Around& a, const Around& b) { return std::tie(a.inner, a.outer) < std::tie(b.inner, b.outer); });
   return nested;
@@ -301,6 +312,22 @@ TOUCHSTONE_BEHIND_GUARD std::vector<EnclosedPart> find_enclosed_parts(const Mesh
   return enclosed;
 }
 
+TOUCHSTONE_BEHIND_GUARD UntoldInsides find_untold_insides(const Mesh::Impl& mesh, const Positions& x,
+                                                          const MeshOptions& options) {
+  UntoldInsides untold;
+  if (mesh.faces.empty()) return untold;
+  const Motion motion = motion_of(mesh, x, x, options.threads);
+  const Pieces pieces(mesh, motion);
+  untold.branching = pieces.branching();
+  const InsideSearch search{mesh, motion, options.threads, options.stop, Asked::all};
+  std::vector<std::atomic<bool>> in_open(pieces.size());
+  for_each_nested_box(
+      search, pieces, [](const Piece& piece) { return piece.sort == PieceSort::open && !piece.branches; },
+      [&](Index inner, Index) { in_open[inner].store(true, std::memory_order_relaxed); });
+  untold.in_open = static_cast<std::size_t>(std::count(in_open.begin(), in_open.end(), true));
+  return untold;
+}
+
 }  // namespace
 }  // namespace touchstone::mesh
 
@@ -310,6 +337,11 @@ std::vector<EnclosedPart> enclosed_parts(const Mesh& mesh, const Positions& x, c
                                          const std::vector<Intersection>& found, ClosedParts closed) {
   const numbers::DefaultFloatEnvironment environment;
   return mesh::find_enclosed_parts(mesh.impl(), x, options, found, closed);
+}
+
+UntoldInsides untold_insides(const Mesh& mesh, const Positions& x, const MeshOptions& options) {
+  const numbers::DefaultFloatEnvironment environment;
+  return mesh::find_untold_insides(mesh.impl(), x, options);
 }
 
 }  // namespace touchstone

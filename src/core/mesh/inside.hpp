@@ -3,6 +3,7 @@
 #pragma once
 
 #include <atomic>
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -45,6 +46,15 @@ enum class ClosedParts : std::uint8_t {
   unasked,
   all  ///< all that are inside a surface, also those that `intersections` finds
 };
+
+/// What nobody can tell to be inside or outside.
+struct UntoldInsides {
+  std::size_t branching = 0;  ///< surfaces with an edge of three faces or more: which one is around which is not known
+  std::size_t in_open = 0;    ///< parts in the box around an open surface, which has no inside; those that branch aside
+};
+
+/// @throws InvalidQuery  as `intersections`
+UntoldInsides untold_insides(const Mesh& mesh, const Positions& x, const MeshOptions& options);
 
 /// The loose points, wires and open surfaces that are wholly inside closed surfaces which they do not meet, and closed
 /// surfaces as `closed` says, in ascending order of their vertices. Whether that is right, as for cloth in a drum, no

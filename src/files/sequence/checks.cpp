@@ -222,6 +222,7 @@ Result check_frame(const Mesh& mesh, const Frame& frame, std::size_t index, int 
   result.intersections = named(found, names);
   result.enclosed = counts_of(enclosed_parts(mesh, positions_of(frame), options, found, ClosedParts::unasked), names);
   result.flat = flat_faces(mesh, positions_of(frame));
+  result.in_open = untold_insides(mesh, positions_of(frame), options).in_open;
   if (!result.free()) result.coinciding = coinciding_vertices(mesh, positions_of(frame));
   return result;
 }
@@ -233,6 +234,7 @@ Result check_step(const Mesh& mesh, const Frame& before, const Frame& after, std
   result.frame = index;
   result.toi = contact.toi;
   result.toi_upper = contact.toi_upper;
+  result.turning = turning_faces(mesh, positions_of(before), positions_of(after));
   if (contact.free()) return result;
   ElementNames names(mesh, *before.topology);
   for (const MeshContact& one : contact.first) result.first.push_back(named(one, names));

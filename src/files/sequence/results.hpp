@@ -88,7 +88,10 @@ struct Result {
 
   /// Of a frame at rest. A free frame may have some.
   EnclosedCounts enclosed;
-  std::size_t flat = 0;  ///< flat_faces
+  std::size_t flat = 0;     ///< flat_faces
+  std::size_t in_open = 0;  ///< UntoldInsides::in_open
+
+  std::size_t turning = 0;  ///< of a step: turning_faces
 
   bool free() const noexcept { return first.empty() && at_start.empty() && intersections.empty(); }
 };
@@ -198,12 +201,16 @@ struct ResultCounts {
   EnclosedCounts enclosed;            ///< of the same frames as `intersections`
   std::size_t frames_enclosing = 0;   ///< those with such parts
   std::size_t flat = 0;               ///< the greatest of Result::flat
+  std::size_t in_open = 0;            ///< the greatest of Result::in_open
+  std::size_t turning = 0;            ///< the greatest of Result::turning
   std::size_t coinciding = 0;         ///< the greatest of Result::coinciding
   bool ends_intersecting = false;     ///< whether the frame at the end of the last result is known to intersect itself
 
   bool all_free() const noexcept { return free == results && intersections.all == 0; }
   void add(Question question, const Result& result) {
     flat = result.flat > flat ? result.flat : flat;
+    in_open = result.in_open > in_open ? result.in_open : in_open;
+    turning = result.turning > turning ? result.turning : turning;
     coinciding = result.coinciding > coinciding ? result.coinciding : coinciding;
     // A step without contact leaves a frame that intersects itself as it is.
     if (question == Question::rest || !result.free()) ends_intersecting = !result.intersections.empty();

@@ -135,6 +135,8 @@ std::string result_json(const Result& result) {
   text += fmt::format(",\"free\":{}", result.free());
   if (result.enclosed.all() > 0) text += ",\"enclosed_parts\":" + json_of(result.enclosed);
   if (result.flat > 0) text += fmt::format(",\"flat_faces\":{}", result.flat);
+  if (result.in_open > 0) text += fmt::format(",\"parts_in_open_surfaces\":{}", result.in_open);
+  if (result.turning > 0) text += fmt::format(",\"turning_faces\":{}", result.turning);
   if (result.free()) return text + "}";
   if (result.step) {
     const auto time = [&](double value) {
@@ -152,12 +154,15 @@ Result result_from(const JsonNode& node) {
   Result result;
   result.step = node.has("from");
   if (result.step) {
-    node.check_keys(
-        {"from", "to", "free", "toi", "toi_upper", "first", "at_start", "intersections", "coinciding_vertices"});
+    node.check_keys({"from", "to", "free", "turning_faces", "toi", "toi_upper", "first", "at_start", "intersections",
+                     "coinciding_vertices"});
+    if (const auto turning = node.find("turning_faces")) result.turning = turning->whole_number(1, kMostNumber);
   } else {
-    node.check_keys({"frame", "free", "enclosed_parts", "flat_faces", "intersections", "coinciding_vertices"});
+    node.check_keys({"frame", "free", "enclosed_parts", "flat_faces", "parts_in_open_surfaces", "intersections",
+                     "coinciding_vertices"});
     if (const auto enclosed = node.find("enclosed_parts")) result.enclosed = enclosed_from(*enclosed);
     if (const auto flat = node.find("flat_faces")) result.flat = flat->whole_number(1, kMostNumber);
+    if (const auto parts = node.find("parts_in_open_surfaces")) result.in_open = parts->whole_number(1, kMostNumber);
   }
   result.frame = node.at(result.step ? "from" : "frame").whole_number(0, kMostFrames);
   if (result.step) node.at("to").whole_number(result.frame + 1, result.frame + 1);

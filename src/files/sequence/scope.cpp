@@ -114,6 +114,10 @@ std::vector<std::string> warnings_of(const Heading& heading, const std::vector<F
     warnings.push_back(fmt::format("what is inside what is not known of {} with an edge of three faces or more",
                                    counted(surfaces, "surface")));
   }
+  if (counts.in_open > 0) {
+    warnings.push_back(fmt::format("{}{} in the box around an open surface, which has no inside",
+                                   counted(counts.in_open, "part"), counts.in_open == 1 ? " is" : " are"));
+  }
   if (const std::size_t joined = meshes.sum.joined; joined > 0) {
     warnings.push_back(
         fmt::format("whether solids touch at {} that several share was not asked: equal corners were joined",
@@ -123,6 +127,10 @@ std::vector<std::string> warnings_of(const Heading& heading, const std::vector<F
     warnings.push_back(fmt::format("{}{} {} flat: that edges of one face lie on each other is no intersection",
                                    counted(counts.flat, "face"), counts.results > 1 && rest ? " of a frame" : "",
                                    counts.flat == 1 ? "is" : "are"));
+  }
+  if (counts.turning > 0) {
+    warnings.push_back(fmt::format("{} may be flat at a time of a step: no edges of one face are compared",
+                                   counted(counts.turning, "face")));
   }
   if (const std::size_t steps = counts.from_intersecting; steps > 0) {
     warnings.push_back(fmt::format("{} {} from a frame that intersects itself", counted(steps, "free step"),

@@ -118,6 +118,16 @@ std::string left_out_for_person(const Simulation& simulation, std::uint64_t step
   } else if (const std::size_t neighbours = simulation.colliders().neighbours().count(); neighbours > 0) {
     all.push_back(fmt::format("the separations of {} of neighbours", counted(neighbours, "pair")));
   }
+  if (const std::size_t waypoints = simulation.passed_waypoints(); waypoints > 0) {
+    all.push_back(fmt::format("{} of paths between the ends of steps", counted(waypoints, "waypoint")));
+  }
+  const auto& cables = simulation.scene().cables;
+  const auto thin = static_cast<std::size_t>(
+      std::count_if(cables.begin(), cables.end(), [](const Cable& cable) { return !cable.solid; }));
+  if (thin > 0) {
+    all.push_back(fmt::format("the {} of {} that {} not solid", thin == 1 ? "radius" : "radii", counted(thin, "cable"),
+                              thin == 1 ? "is" : "are"));
+  }
   all.erase(std::remove(all.begin(), all.end(), std::string()), all.end());
   if (!all.empty()) text += fmt::format("; left out: {}", fmt::join(all, ", "));
   if (const StartFindings& start = simulation.start(); start.enclosed > 0) {
@@ -125,6 +135,14 @@ std::string left_out_for_person(const Simulation& simulation, std::uint64_t step
         fmt::format("; {} wholly inside a closed {} at the start, without contact of surfaces ({}{})",
                     counted(start.enclosed, "part"), start.enclosed_in_bodies == start.enclosed ? "body" : "surface",
                     start.enclosed_first, start.enclosed > 1 ? ", ..." : "");
+  }
+  if (const std::size_t surfaces = simulation.start().branching; surfaces > 0) {
+    text += fmt::format("; what is inside what is not known of {} with an edge of three faces or more",
+                        counted(surfaces, "surface"));
+  }
+  if (const std::size_t in_open = simulation.start().in_open; in_open > 0) {
+    text += fmt::format("; {} in the box around an open surface at the start, which has no inside",
+                        counted(in_open, "part"));
   }
   return text;
 }

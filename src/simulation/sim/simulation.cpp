@@ -62,6 +62,18 @@ Refusal not_converged(const LargestChange& change, bool with_contacts) {
   return refusal;
 }
 
+std::vector<double> waypoint_times(const Scene& scene) {
+  std::vector<double> times;
+  for (const Particle& particle : scene.particles) {
+    for (const Waypoint& point : particle.path) times.push_back(point.time);
+  }
+  for (const Body& body : scene.bodies) {
+    for (const BodyWaypoint& point : body.path) times.push_back(point.time);
+  }
+  std::sort(times.begin(), times.end());
+  return times;
+}
+
 Scene checked(Scene scene) {
   check_scene(scene);
   scene.particles.shrink_to_fit();
@@ -84,6 +96,7 @@ Simulation::Simulation(Scene scene, const SimulationOptions& options)
       measures_flows_(options.measure_flows),
       keeps_contacts_(options.keep_contacts),
       ignores_radii_(options.narrow_phase == NarrowPhase::paper && has_radii(scene_)),
+      waypoints_(waypoint_times(scene_)),
       state_(stepper_.initial()) {
   if (measures_flows_) {
     stepper_.measure_flows();
@@ -166,6 +179,7 @@ std::vector<SubstepRecord> Simulation::make_substeps(std::optional<State>& befor
   // Substeps are dyadic fractions of the step, so that their ends fall on the step's end exactly. A substep that is
   // refused is halved. Once the halves of a longer one are made, the next one is as long again.
   std::vector<SubstepRecord> records;
+  std::size_t passed_waypoints = 0;
   const auto whole = static_cast<double>(steps_ - 1);
   const RefusedCounts refused_before = refused_;
   Refusal refusal;  // the latest
@@ -187,6 +201,7 @@ std::vector<SubstepRecord> Simulation::make_substeps(std::optional<State>& befor
     const auto tried = try_substep(end - start, end);
     if (const auto* const record = std::get_if<SubstepRecord>(&tried)) {
       records.push_back(*record);
+      passed_waypoints += waypoints_between(start, end);
       done += fraction;
       double excess = record->excess * growth;
       while (halvings > 0 && excess <= kPromise && std::fmod(done, 2 * fraction) == 0) {
@@ -213,7 +228,16 @@ std::vector<SubstepRecord> Simulation::make_substeps(std::optional<State>& befor
                               end - start, why()));
     }
   }
+  passed_waypoints_ += passed_waypoints;
   return records;
+}
+
+std::size_t Simulation::waypoints_between(double start, double end) const noexcept {
+  // The end of a substep is a rounded product, and a waypoint's time a rounded decimal number.
+  const double room = 0x1p-40 * end;
+  const auto first = std::upper_bound(waypoints_.begin(), waypoints_.end(), start + room);
+  const auto last = std::lower_bound(waypoints_.begin(), waypoints_.end(), end - room);
+  return first < last ? static_cast<std::size_t>(last - first) : 0;
 }
 
 std::variant<SubstepRecord, Refusal> Simulation::try_substep(double h, double end_time) {

@@ -99,6 +99,9 @@ class Simulation {
   const std::vector<Crossing>& crossings() const noexcept { return crossings_; }
   /// Whether radii of the scene are left aside, as the narrow phase knows no separation.
   bool ignores_radii() const noexcept { return ignores_radii_; }
+  /// The waypoints of paths, in the steps made so far, that lie between the ends of a substep: the straight motion
+  /// between these ends passes them by.
+  std::size_t passed_waypoints() const noexcept { return passed_waypoints_; }
   /// Of the scene's start, or of the checkpoint's state.
   const StartFindings& start() const noexcept { return start_; }
   /// Over the whole run.
@@ -125,6 +128,7 @@ class Simulation {
 
  private:
   double time_at(double steps) const noexcept { return steps * scene_.settings.time_step; }
+  std::size_t waypoints_between(double start, double end) const noexcept;
   StartFindings check_start(const State& state, const BodyStates& bodies, std::string_view what);
   /// @param before  set to the state before the step, once a substep may move it
   std::vector<SubstepRecord> make_substeps(std::optional<State>& before);
@@ -149,6 +153,8 @@ class Simulation {
   int threads_;
   bool keep_ends_, measures_flows_, keeps_contacts_;
   bool ignores_radii_;
+  std::vector<double> waypoints_;  // the times of all, in ascending order
+  std::size_t passed_waypoints_ = 0;
   std::unique_ptr<SimulatedBodies> bodies_;
   State state_;
   StartFindings start_;

@@ -90,6 +90,9 @@ class StartMesh {
           inner.body == kParticles ? fmt::format("particle {}", inner.number) : fmt::format("body {}", inner.body),
           body == kParticles ? "the surface of " + name(MeshElement::face, *outer) : fmt::format("body {}", body));
     }
+    const UntoldInsides untold = untold_insides(mesh_, x_, options);
+    findings.branching = untold.branching;
+    findings.in_open = untold.in_open;
   }
 
   /// "pierce each other: edge 0-1 and face 2-3-4 of body 1 at (0, 0, 0)"
