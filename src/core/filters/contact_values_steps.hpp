@@ -105,7 +105,7 @@ TOUCHSTONE_INLINE Precise<C> zxy(const Precise<C>& a) noexcept {
 }
 
 template <class N>
-TOUCHSTONE_INLINE N cross(const N& a, const N& b) noexcept {
+TOUCHSTONE_INLINE N cross_of_lanes(const N& a, const N& b) noexcept {
   return yzx(a) * zxy(b) - zxy(a) * yzx(b);
 }
 
@@ -127,13 +127,13 @@ using Component = ComponentOf<double>;
 template <class C, class Axis>
 TOUCHSTONE_INLINE auto component(const Moving<C>& a, const Moving<C>& b, const Precise<C>& value,
                                  const Axis& k) noexcept -> ComponentOf<decltype(coordinate(value.high, k))> {
-  const C slope = cross(a.slope, b.value.high) + cross(a.value.high, b.slope);
+  const C slope = cross_of_lanes(a.slope, b.value.high) + cross_of_lanes(a.value.high, b.slope);
   return {coordinate(value, k), coordinate(slope, k)};
 }
 
 template <class C, class Axis>
 TOUCHSTONE_INLINE auto cross_component(const Moving<C>& a, const Moving<C>& b, const Axis& k) noexcept {
-  return component(a, b, cross(a.value, b.value), k);
+  return component(a, b, cross_of_lanes(a.value, b.value), k);
 }
 
 // Of several queries, each along its own axis: only that coordinate is computed.
@@ -191,7 +191,7 @@ TOUCHSTONE_INLINE auto moving_frame(Kind kind, const Corner& corner, const N& t)
     -> MovingFrame<decltype(corner(0, 0))> {
   const auto moving = geometry::frame_of(
       kind, [&corner, &t](std::size_t i, std::size_t j) { return moving_difference(corner, i, j, t); });
-  return {moving, numbers::normalised(cross(moving.u.value, moving.w.value))};
+  return {moving, numbers::normalised(cross_of_lanes(moving.u.value, moving.w.value))};
 }
 
 template <class C>
