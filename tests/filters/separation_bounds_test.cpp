@@ -282,14 +282,13 @@ TEST_CASE("the closest points in double-doubles are within their error", "[separ
       if (found.error == 0) return error.sign() == 0 ? 0.0 : std::numeric_limits<double>::infinity();
       return over(error, found.error);
     };
-    auto search = searched(97, 3, 20000, frame_in_range, ratio);
+    auto search = searched(97, 3, 60000, frame_in_range, ratio);
     // Squares of such numbers have low parts that are no doubles, and the filter must keep its hands off.
     Rng rng(98);
     search_bound(search, rng, 27, -492, 0, 4, 200,
                  [&](const std::vector<double>& x) { return ratio(FrameCase(x), x); });
-    // The search finds 0.0070 and 0.0009 on x86-64; on 64-bit ARM it goes another way, and finds 0.0035 and 0.0012.
     report(of_excess ? "excess of the closest points" : "least product with their difference", search,
-           of_excess ? 0x1p-9 : 0x1p-11);
+           of_excess ? 0x1p-8 : 0x1p-11);
   }
 }
 
