@@ -8,6 +8,7 @@
 
 #include "mesh/moving_vertices.hpp"
 #include "mesh/ray_passes.hpp"
+#include "mesh/rounded_vectors.hpp"
 #include "numbers/doubles/float_environment.hpp"
 #include "solver/cascade.hpp"
 
@@ -58,8 +59,6 @@ TOUCHSTONE_BEHIND_GUARD std::size_t count_flat(const Mesh::Impl& mesh, const Pos
 
 using Vector = geometry::Vector<double>;
 
-Vector from_to(const Vec3& a, const Vec3& b) noexcept { return {{b.x - a.x, b.y - a.y, b.z - a.z}}; }
-
 /// A lower bound of m . (u x v), or NaN. u and v are rounded differences, and m is as it is. A monomial passes two
 /// differences, two products and three sums: its error is at most 7 e, e = 2^-53, and terms of second order, relative
 /// to it. The bound has twice that of the sum of their sizes, and 2^-1000 for underflow, as |m| is at most 4.
@@ -78,12 +77,9 @@ double least_product(const Vector& m, const Vector& u, const Vector& v) noexcept
 /// (1 - t)^2 u0 x v0 + t (1 - t) (u0 x v1 + u1 x v0) + t^2 u1 x v1. So it is not zero if each of these three has a
 /// positive product with one vector m. Any m will do.
 bool never_flat(const mesh::MovingVertex& a, const mesh::MovingVertex& b, const mesh::MovingVertex& c) noexcept {
+  using mesh::from_to, mesh::unit;
   const Vector u0 = from_to(a.start, b.start), v0 = from_to(a.start, c.start);
   const Vector u1 = from_to(a.end, b.end), v1 = from_to(a.end, c.end);
-  const auto unit = [](const Vector& x) {
-    const double length = std::sqrt(geometry::dot(x, x));
-    return Vector{{x[0] / length, x[1] / length, x[2] / length}};
-  };
   const Vector n0 = unit(geometry::cross(u0, v0)), n1 = unit(geometry::cross(u1, v1));
   const Vector m{{n0[0] + n1[0], n0[1] + n1[1], n0[2] + n1[2]}};
   return least_product(m, u0, v0) > 0 && least_product(m, u1, v1) > 0 &&

@@ -4,13 +4,12 @@
 #include <cmath>
 
 #include "geometry/vector.hpp"
+#include "mesh/rounded_vectors.hpp"
 
 namespace touchstone::mesh {
 namespace {
 
 using Vector = geometry::Vector<double>;
-
-Vector from_to(const Vec3& a, const Vec3& b) noexcept { return {{b.x - a.x, b.y - a.y, b.z - a.z}}; }
 
 /// Whether `x`, the rounded difference of two points, certainly has a positive scalar product with n. Each of the three
 /// terms passes a difference, a product and two sums: its error is at most 4 e, e = 2^-53, and second-order terms,
@@ -35,11 +34,6 @@ bool certainly_not_coplanar(const Vector& a, const Vector& b, const Vector& c) n
     size += std::fabs(a[i]) * (std::fabs(one) + std::fabs(other));
   }
   return std::fabs(sum) > 16 * 0x1p-53 * size + 0x1p-760;
-}
-
-Vector unit(const Vector& x) noexcept {
-  const double length = std::sqrt(x[0] * x[0] + x[1] * x[1] + x[2] * x[2]);
-  return {{x[0] / length, x[1] / length, x[2] / length}};
 }
 
 }  // namespace
