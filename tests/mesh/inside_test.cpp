@@ -70,7 +70,7 @@ struct Parts {
   std::vector<Intersection> all(int threads = 1) const { return intersections(Mesh(elements), {x, 3}, {threads}); }
 
   std::vector<EnclosedPart> enclosed(ClosedParts closed = ClosedParts::unasked, int threads = 1) const {
-    return enclosed_parts(Mesh(elements), {x, 3}, {threads}, all(), closed);
+    return insides(Mesh(elements), {x, 3}, {threads}, all(), closed).enclosed;
   }
 };
 

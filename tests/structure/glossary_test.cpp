@@ -53,8 +53,6 @@ const std::vector<AllowedIdentifier> kAllowedIdentifiers = {
     {"share_vertex", "the geometer's verb: two elements share a vertex"},
     {"EnclosedPart", "the key `enclosed_parts` of reports"},
     {"ClosedParts", "the key `enclosed_parts` of reports"},
-    {"enclosed_parts", "the key `enclosed_parts` of reports"},
-    {"find_enclosed_parts", "the key `enclosed_parts` of reports"},
 };
 
 /// A type name that several namespaces define. No file sees two of them without a namespace in front.

@@ -275,15 +275,8 @@ MeshElement element_of(PieceSort sort) noexcept {
   return sort == PieceSort::wire ? MeshElement::edge : MeshElement::face;
 }
 
-TOUCHSTONE_BEHIND_GUARD std::vector<EnclosedPart> find_enclosed_parts(const Mesh::Impl& mesh, const Positions& x,
-                                                                      const MeshOptions& options,
-                                                                      const std::vector<Intersection>& found,
-                                                                      ClosedParts closed) {
-  std::vector<EnclosedPart> enclosed;
-  if (mesh.faces.size() < kLeastFaces) return enclosed;
-  const Motion motion = motion_of(mesh, x, x, options.threads);
-  const InsideSearch search{mesh, motion, options.threads, options.stop, Asked::all};
-  const Pieces pieces(mesh, motion);
+std::vector<EnclosedPart> find_enclosed(const InsideSearch& search, const Pieces& pieces,
+                                        const std::vector<Intersection>& found, ClosedParts closed) {
   const std::vector<Around> around = surfaces_around(search, pieces, found);
   std::vector<AroundOne> groups = by_inner(pieces, around);
   const auto is_oriented = [&](Index piece) { return pieces[piece].sort == PieceSort::oriented; };
@@ -299,6 +292,7 @@ TOUCHSTONE_BEHIND_GUARD std::vector<EnclosedPart> find_enclosed_parts(const Mesh
     if (one.sum == 0 && is_oriented(one.outermost)) rooms[one.outermost];
   }
   const auto signs = signs_of_volumes(search, pieces, std::move(rooms));
+  std::vector<EnclosedPart> enclosed;
   for (const AroundOne& one : groups) {
     const auto room = signs.find(one.outermost);
     if (one.sum == 0 && (room == signs.end() || room->second >= 0)) continue;
@@ -312,20 +306,21 @@ TOUCHSTONE_BEHIND_GUARD std::vector<EnclosedPart> find_enclosed_parts(const Mesh
   return enclosed;
 }
 
-TOUCHSTONE_BEHIND_GUARD UntoldInsides find_untold_insides(const Mesh::Impl& mesh, const Positions& x,
-                                                          const MeshOptions& options) {
-  UntoldInsides untold;
-  if (mesh.faces.empty()) return untold;
-  const Motion motion = motion_of(mesh, x, x, options.threads);
-  const Pieces pieces(mesh, motion);
-  untold.branching = pieces.branching();
-  const InsideSearch search{mesh, motion, options.threads, options.stop, Asked::all};
+std::size_t count_in_open(const InsideSearch& search, const Pieces& pieces) {
   std::vector<std::atomic<bool>> in_open(pieces.size());
   for_each_nested_box(
       search, pieces, [](const Piece& piece) { return piece.sort == PieceSort::open && !piece.branches; },
       [&](Index inner, Index) { in_open[inner].store(true, std::memory_order_relaxed); });
-  untold.in_open = static_cast<std::size_t>(std::count(in_open.begin(), in_open.end(), true));
-  return untold;
+  return static_cast<std::size_t>(std::count(in_open.begin(), in_open.end(), true));
+}
+
+TOUCHSTONE_BEHIND_GUARD Insides find_insides(const Mesh::Impl& mesh, const Positions& x, const MeshOptions& options,
+                                             const std::vector<Intersection>& found, ClosedParts closed) {
+  if (mesh.faces.empty()) return {};
+  const Motion motion = motion_of(mesh, x, x, options.threads);
+  const InsideSearch search{mesh, motion, options.threads, options.stop, Asked::all};
+  const Pieces pieces(mesh, motion);
+  return {find_enclosed(search, pieces, found, closed), pieces.branching(), count_in_open(search, pieces)};
 }
 
 }  // namespace
@@ -333,15 +328,10 @@ TOUCHSTONE_BEHIND_GUARD UntoldInsides find_untold_insides(const Mesh::Impl& mesh
 
 namespace touchstone {
 
-std::vector<EnclosedPart> enclosed_parts(const Mesh& mesh, const Positions& x, const MeshOptions& options,
-                                         const std::vector<Intersection>& found, ClosedParts closed) {
+Insides insides(const Mesh& mesh, const Positions& x, const MeshOptions& options,
+                const std::vector<Intersection>& found, ClosedParts closed) {
   const numbers::DefaultFloatEnvironment environment;
-  return mesh::find_enclosed_parts(mesh.impl(), x, options, found, closed);
-}
-
-UntoldInsides untold_insides(const Mesh& mesh, const Positions& x, const MeshOptions& options) {
-  const numbers::DefaultFloatEnvironment environment;
-  return mesh::find_untold_insides(mesh.impl(), x, options);
+  return mesh::find_insides(mesh.impl(), x, options, found, closed);
 }
 
 }  // namespace touchstone

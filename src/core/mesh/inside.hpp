@@ -47,23 +47,22 @@ enum class ClosedParts : std::uint8_t {
   all  ///< all that are inside a surface, also those that `intersections` finds
 };
 
-/// What nobody can tell to be inside or outside.
-struct UntoldInsides {
+/// What is inside closed surfaces, and what nobody can tell to be inside or outside.
+struct Insides {
+  /// The loose points, wires and open surfaces that are wholly inside closed surfaces which they do not meet, and closed
+  /// surfaces as ClosedParts says, in ascending order of their vertices. Whether that is right, as for cloth in a drum,
+  /// no geometry tells. A surface also counts as closed if each of its edges is in an even number of its faces; its
+  /// winding number is then 0 or 1. A part whose winding numbers add up to 0 is not enclosed, as in a cavity of a solid,
+  /// unless the outermost surface may be a room.
+  std::vector<EnclosedPart> enclosed;
+
   std::size_t branching = 0;  ///< surfaces with an edge of three faces or more: which one is around which is not known
   std::size_t in_open = 0;    ///< parts in the box around an open surface, which has no inside; those that branch aside
 };
 
-/// @throws InvalidQuery  as `intersections`
-UntoldInsides untold_insides(const Mesh& mesh, const Positions& x, const MeshOptions& options);
-
-/// The loose points, wires and open surfaces that are wholly inside closed surfaces which they do not meet, and closed
-/// surfaces as `closed` says, in ascending order of their vertices. Whether that is right, as for cloth in a drum, no
-/// geometry tells. A surface also counts as closed if each of its edges is in an even number of its faces; its winding
-/// number is then 0 or 1. A part whose winding numbers add up to 0 is not enclosed, as in a cavity of a solid, unless
-/// the outermost surface may be a room.
 /// @param found  the intersections of the mesh at x
 /// @throws InvalidQuery  as `intersections`
-std::vector<EnclosedPart> enclosed_parts(const Mesh& mesh, const Positions& x, const MeshOptions& options,
-                                         const std::vector<Intersection>& found, ClosedParts closed);
+Insides insides(const Mesh& mesh, const Positions& x, const MeshOptions& options,
+                const std::vector<Intersection>& found, ClosedParts closed);
 
 }  // namespace touchstone

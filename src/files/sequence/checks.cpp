@@ -220,9 +220,10 @@ Result check_frame(const Mesh& mesh, const Frame& frame, std::size_t index, int 
   const MeshOptions options{threads};
   const std::vector<Intersection> found = intersections(mesh, positions_of(frame), options);
   result.intersections = named(found, names);
-  result.enclosed = counts_of(enclosed_parts(mesh, positions_of(frame), options, found, ClosedParts::unasked), names);
+  const Insides inside = insides(mesh, positions_of(frame), options, found, ClosedParts::unasked);
+  result.enclosed = counts_of(inside.enclosed, names);
+  result.in_open = inside.in_open;
   result.flat = flat_faces(mesh, positions_of(frame));
-  result.in_open = untold_insides(mesh, positions_of(frame), options).in_open;
   if (!result.free()) result.coinciding = coinciding_vertices(mesh, positions_of(frame));
   return result;
 }

@@ -89,7 +89,7 @@ struct Result {
   /// Of a frame at rest. A free frame may have some.
   EnclosedCounts enclosed;
   std::size_t flat = 0;     ///< flat_faces
-  std::size_t in_open = 0;  ///< UntoldInsides::in_open
+  std::size_t in_open = 0;  ///< Insides::in_open
 
   std::size_t turning = 0;  ///< of a step: turning_faces
 

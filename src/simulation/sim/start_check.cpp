@@ -76,7 +76,8 @@ class StartMesh {
   void find_enclosed(const std::vector<Intersection>& found, int threads, StartFindings& findings) const {
     MeshOptions options;
     options.threads = threads;
-    for (const EnclosedPart& piece : enclosed_parts(mesh_, x_, options, found, ClosedParts::all)) {
+    const Insides inside = insides(mesh_, x_, options, found, ClosedParts::all);
+    for (const EnclosedPart& piece : inside.enclosed) {
       const OfBody inner = vertices_[piece.vertex].of;
       const auto outer = std::find_if(piece.faces.begin(), piece.faces.end(), [&](MeshIndex face) {
         return inner.body == kParticles || body_of(MeshElement::face, face) != inner.body;
@@ -90,9 +91,8 @@ class StartMesh {
           inner.body == kParticles ? fmt::format("particle {}", inner.number) : fmt::format("body {}", inner.body),
           body == kParticles ? "the surface of " + name(MeshElement::face, *outer) : fmt::format("body {}", body));
     }
-    const UntoldInsides untold = untold_insides(mesh_, x_, options);
-    findings.branching = untold.branching;
-    findings.in_open = untold.in_open;
+    findings.branching = inside.branching;
+    findings.in_open = inside.in_open;
   }
 
   /// "pierce each other: edge 0-1 and face 2-3-4 of body 1 at (0, 0, 0)"

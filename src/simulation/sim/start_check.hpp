@@ -24,9 +24,9 @@ struct StartElements {
 struct StartFindings {
   std::size_t held = 0;                ///< pairs of elements that intersect and cannot move: no step asks about them
   std::size_t within_bodies = 0;       ///< pairs of elements of one body that intersect: they do so for ever
-  std::size_t enclosed = 0;            ///< parts wholly inside closed surfaces: enclosed_parts with ClosedParts::all
+  std::size_t enclosed = 0;            ///< parts wholly inside closed surfaces: `insides` with ClosedParts::all
   std::size_t enclosed_in_bodies = 0;  ///< of these, those in a body
-  std::size_t branching = 0;           ///< UntoldInsides
+  std::size_t branching = 0;           ///< Insides
   std::size_t in_open = 0;             ///< likewise
   std::string
       enclosed_first;  ///< of the enclosed ones: "particle 3 in body 0", "particle 3 in the surface of face 5-6-7"
