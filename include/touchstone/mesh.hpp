@@ -102,8 +102,8 @@ struct MeshElements {
 
 /// A mesh whose elements were checked. It is immutable, and several threads may use one object. A copy is cheap.
 ///
-/// It holds 12 bytes for each face, 8 for each edge, 16 for each edge that is in no face, 4 for each vertex that
-/// collides and 4 for each loose point, besides the rules and the radii. While it is made, it needs at most 40 bytes
+/// It holds 28 bytes for each face, 8 for each edge, 28 for each edge that is in no face, 4 for each vertex that
+/// collides and 20 for each loose point, besides the rules and the radii. While it is made, it needs at most 40 bytes
 /// more for each face, 28 for each edge that is given, and 8 for each vertex.
 class Mesh {
  public:
@@ -309,8 +309,8 @@ struct FirstContact {
 /// elements, and FirstContactOptions::check_start asks it.
 ///
 /// The result is the same for every number of threads, byte for byte. The call needs 48 bytes for each vertex, and less
-/// than 240 bytes for each edge, or for each face and each vertex that collides, whichever is more: a closed surface of
-/// 10^7 faces needs less than 4 GB.
+/// than 240 bytes for each face, each edge that is in no face and each loose point: a closed surface of 10^7 faces needs
+/// less than 3 GB.
 /// @param mesh     the mesh
 /// @param x0       the positions at t = 0
 /// @param x1       the positions at t = 1

@@ -108,11 +108,11 @@ std::vector<MotionPair> StepProver::pairs(const MotionFrame& start, const Motion
   const SomePoints loose{elements_.points, loose_};
   const Cells<2> edges{elements_.edges};
   const Cells<3> faces{elements_.faces};
-  const BoxTree edge_tree = boxes.tree(edges), loose_tree = boxes.tree(loose);
+  const RestingTree edge_tree = boxes.tree(edges), loose_tree = boxes.tree(loose);
   std::vector<MotionPair> pairs;
   boxes.add_pairs(Kind::edge_edge, edges, edge_tree, edges, nullptr, pairs);
   if (faces.size() > 0) {
-    const BoxTree point_tree = boxes.tree(points), face_tree = boxes.tree(faces);
+    const RestingTree point_tree = boxes.tree(points), face_tree = boxes.tree(faces);
     boxes.add_pairs(Kind::vertex_face, points, point_tree, faces, &face_tree, pairs);
   }
   boxes.add_pairs(Kind::point_edge, loose, loose_tree, edges, &edge_tree, pairs);
@@ -120,7 +120,7 @@ std::vector<MotionPair> StepProver::pairs(const MotionFrame& start, const Motion
   if (wires_.size() > 1) {
     const SomePoints ends{elements_.points, wire_ends_};
     const SomeEdges wires{elements_.edges, wires_};
-    const BoxTree end_tree = boxes.tree(ends), wire_tree = boxes.tree(wires);
+    const RestingTree end_tree = boxes.tree(ends), wire_tree = boxes.tree(wires);
     boxes.add_pairs(Kind::point_edge, ends, end_tree, wires, &wire_tree, pairs, Joined{joined_});
   }
   return pairs;

@@ -9,6 +9,7 @@
 #include <limits>
 #include <mutex>
 #include <tuple>
+#include <utility>
 #include <vector>
 
 #include "broad_phase/box_tree.hpp"
@@ -17,8 +18,7 @@
 namespace touchstone::proofs {
 
 using broad_phase::Box;
-using broad_phase::BoxTree;
-using broad_phase::MovingBox;
+using RestingTree = broad_phase::BoxTree<Box>;
 using Index = std::uint32_t;
 
 template <std::size_t N, std::size_t M>
@@ -143,11 +143,11 @@ class StepBoxes {
       : rules_(elements), start_(start), end_(end), distance_(distance), threads_(threads) {}
 
   template <class List>
-  BoxTree tree(const List& list) const {
+  RestingTree tree(const List& list) const {
     // The tree finds boxes that meet. So each is wider by half of the distance or more; what it finds beyond the pairs
     // is left out by an exact comparison. Half of a subnormal distance may be no double.
     const double reach = distance_ > 0 ? std::max(distance_ / 2, std::numeric_limits<double>::min()) : 0;
-    return BoxTree(
+    return RestingTree(
         list.size(),
         [&](Index i) {
           Box box = around(list.corners(i));
@@ -158,14 +158,14 @@ class StepBoxes {
             box.low[k] = std::max(box.low[k], -kLargest);
             box.high[k] = std::min(box.high[k], kLargest);
           }
-          return MovingBox{box, box};
+          return box;
         },
         threads_);
   }
 
   /// Adds the pairs of elements of two lists, or, where `tree_b` is null, of the first one, in order.
   template <class ListA, class ListB, class Keep = Always>
-  void add_pairs(Kind kind, const ListA& a, const BoxTree& tree_a, const ListB& b, const BoxTree* tree_b,
+  void add_pairs(Kind kind, const ListA& a, const RestingTree& tree_a, const ListB& b, const RestingTree* tree_b,
                  std::vector<MotionPair>& pairs, const Keep& keep = {}) const {
     const auto before = static_cast<std::ptrdiff_t>(pairs.size());
     std::mutex lock;
@@ -173,7 +173,8 @@ class StepBoxes {
       std::array<MotionPair, broad_phase::kPairBlock> kept;
       std::size_t kept_count = 0;
       for (std::size_t n = 0; n < count; ++n) {
-        const auto [i, j] = found[n];
+        auto [i, j] = found[n];
+        if (tree_b == nullptr && j < i) std::swap(i, j);
         if (is_pair(a.corners(i), b.corners(j)) && keep(a.corners(i), b.corners(j)))
           kept[kept_count++] = {kind, a.number(i), b.number(j)};
       }

@@ -3,18 +3,22 @@
 // SPDX-License-Identifier: MIT
 #include "broad_phase/box_tree.hpp"
 
+#include <algorithm>
 #include <atomic>
 #include <cmath>
 #include <limits>
 #include <mutex>
 #include <set>
+#include <stdexcept>
 #include <utility>
+#include <vector>
 
 #include "numbers/integers/exact_number.hpp"
 #include "seeded/rng.hpp"
 #include "support/catch.hpp"
 
 using namespace touchstone;
+using broad_phase::BoundsByAxis;
 using broad_phase::MovingBox;
 using numbers::Exact;
 using Pairs = std::set<std::pair<std::uint32_t, std::uint32_t>>;
@@ -101,6 +105,13 @@ Pairs brute_force(const std::vector<MovingBox>& boxes) {
   return pairs;
 }
 
+/// Each pair with its lesser number first.
+void put_in_order(std::vector<std::pair<std::uint32_t, std::uint32_t>>& pairs) {
+  for (auto& [i, j] : pairs) {
+    if (j < i) std::swap(i, j);
+  }
+}
+
 }  // namespace
 
 TEST_CASE("each pair of boxes that meet is found once, and no other") {
@@ -131,11 +142,11 @@ TEST_CASE("each pair of boxes that meet is found once, and no other") {
 
 TEST_CASE("blocks of pairs hold each pair once, whatever the threads, and those that meet by a time") {
   seeded::Rng random(13);
-  for (const std::size_t count : {1, 8, 9, 3000, 6000}) {
+  for (const std::size_t count : {1, 8, 9, 3000, 6000, 40'000}) {
     const auto a = random_boxes(random, count, count / 1000, 1), b = random_boxes(random, count / 2 + 1, 1, 1);
     const auto tree_of = [](const std::vector<MovingBox>& boxes, int threads) {
-      return broad_phase::BoxTree(
-          boxes.size(), [&](std::uint32_t i) { return boxes[i]; }, threads);
+      return broad_phase::BoxTree<BoundsByAxis>(
+          boxes.size(), [&](std::uint32_t i) { return broad_phase::by_axis(boxes[i]); }, threads);
     };
     std::vector<std::pair<std::uint32_t, std::uint32_t>> in_order;
     broad_phase::for_each_pair(a, [&](std::uint32_t i, std::uint32_t j) { in_order.push_back({i, j}); });
@@ -154,6 +165,7 @@ TEST_CASE("blocks of pairs hold each pair once, whatever the threads, and those 
       search.threads = threads;
       const auto tree = tree_of(a, threads), other = tree_of(b, threads);
       broad_phase::for_each_pair_block(tree, search, take);
+      put_in_order(found);
       if (threads == 1) CHECK(found == in_order);
       CHECK(found.size() == expected.size());
       CHECK(Pairs(found.begin(), found.end()) == expected);
@@ -163,10 +175,19 @@ TEST_CASE("blocks of pairs hold each pair once, whatever the threads, and those 
       CHECK(found.size() == expected_across.size());
       CHECK(Pairs(found.begin(), found.end()) == expected_across);
 
+      // Without a tree at hand.
       found.clear();
-      const std::atomic<double> until{0.125};
+      const broad_phase::BoxOf<BoundsByAxis> box_of = [&](std::uint32_t i) { return broad_phase::by_axis(a[i]); };
+      broad_phase::for_each_pair_block(a.size(), box_of, search, take);
+      put_in_order(found);
+      CHECK(found.size() == expected.size());
+      CHECK(Pairs(found.begin(), found.end()) == expected);
+
+      found.clear();
+      std::atomic<double> until{0.125};
       search.until = &until;
       broad_phase::for_each_pair_block(tree, search, take);
+      put_in_order(found);
       const Pairs early(found.begin(), found.end());
       std::size_t lost = 0;
       for (const auto& pair : expected) {
@@ -174,7 +195,96 @@ TEST_CASE("blocks of pairs hold each pair once, whatever the threads, and those 
       }
       CHECK(lost == 0);
       CHECK((count < 1000 || early.size() < expected.size()));
+
+      // Ended by the first pairs: then each thread may look at a part of the boxes, and hand out a block of each.
+      found.clear();
+      until = 1;
+      std::atomic<std::size_t> asked{0};
+      broad_phase::for_each_pair_block<BoundsByAxis>(
+          a.size(),
+          [&](std::uint32_t i) {
+            ++asked;
+            return broad_phase::by_axis(a[i]);
+          },
+          search,
+          [&](const broad_phase::Pair* pairs, std::size_t size) {
+            take(pairs, size);
+            until = -1;
+          });
+      CHECK((found.empty() == expected.empty()));
+      if (count == 40'000 && threads == 1) CHECK(asked < 50'000);  // each is asked once before the tree is built
     }
+  }
+}
+
+TEST_CASE("what a consumer throws while the tree is built comes out, and nothing else happens") {
+  seeded::Rng random(23);
+  const auto boxes = random_boxes(random, 60'000, 0, 1);
+  const broad_phase::BoxOf<BoundsByAxis> box_of = [&](std::uint32_t i) { return broad_phase::by_axis(boxes[i]); };
+  for (const int threads : {1, 2, 16}) {
+    std::atomic<int> blocks{0};
+    const auto take = [&](const broad_phase::Pair*, std::size_t) {
+      if (++blocks > 3) throw std::runtime_error("enough");
+    };
+    CHECK_THROWS_AS(broad_phase::for_each_pair_block(boxes.size(), box_of, {threads}, take), std::runtime_error);
+  }
+}
+
+TEST_CASE("boxes at rest are compared as moving ones are") {
+  seeded::Rng random(17);
+  for (const std::size_t count : {1, 9, 300, 3000}) {
+    auto moving = random_boxes(random, count, 2, 0);
+    std::vector<broad_phase::Box> boxes;
+    for (MovingBox& box : moving) {
+      for (std::size_t k = 0; k < 3; ++k) {  // bounds that are equal, too
+        box.start.low[k] = std::round(16 * box.start.low[k]) / 16;
+        box.start.high[k] = std::max(box.start.low[k], std::round(16 * box.start.high[k]) / 16);
+      }
+      box.end = box.start;
+      boxes.push_back(box.start);
+    }
+    Pairs expected;
+    broad_phase::for_each_pair(moving, [&](std::uint32_t i, std::uint32_t j) { expected.insert({i, j}); });
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> found;
+    const broad_phase::BoxOf<broad_phase::Box> box_of = [&](std::uint32_t i) { return boxes[i]; };
+    broad_phase::for_each_pair_block(count, box_of, {}, [&](const broad_phase::Pair* pairs, std::size_t size) {
+      for (std::size_t i = 0; i < size; ++i) found.push_back({pairs[i][0], pairs[i][1]});
+    });
+    put_in_order(found);
+    CHECK(found.size() == expected.size());
+    CHECK(Pairs(found.begin(), found.end()) == expected);
+    CHECK((count < 300 || expected.size() > 10));
+  }
+}
+
+TEST_CASE("a box that grows by a margin reaches at least so far, and little farther") {
+  seeded::Rng random(19);
+  constexpr double kMost = std::numeric_limits<double>::max();
+  const auto number = [&] {
+    const int exponent = random.one_in(4) ? random.between(-1074, 1023) : random.between(-6, 6);
+    return std::ldexp(random.one_in(3) ? 1 : random.symmetric(), exponent);
+  };
+  for (int i = 0; i < 200'000; ++i) {
+    const double low = number(), high = random.one_in(2) ? low : std::max(low, number());
+    const double margin = random.one_in(4) ? std::fabs(low) : std::fabs(number());
+    broad_phase::Box box{{low, 0, -kMost}, {high, 0, kMost}};
+    broad_phase::grow(box, margin);
+    const auto is_at_least = [](double bound, const Exact& exact) {
+      return std::isinf(bound) || !(Exact(bound) < exact);
+    };
+    if (margin == 0) continue;
+    CAPTURE(low, high, margin);
+    REQUIRE(is_at_least(box.high[0], Exact(high) + Exact(margin)));
+    REQUIRE(is_at_least(-box.low[0], Exact(margin) - Exact(low)));
+    REQUIRE(box.low[2] <= -kMost);
+    REQUIRE(box.high[2] >= kMost);
+    const double size = std::fabs(high) + margin;
+    REQUIRE(box.high[0] <= high + margin + 0x1p-50 * size + 0x1p-1070);
+    BoundsByAxis bounds =
+        broad_phase::by_axis({{{low, 0, -kMost}, {high, 0, kMost}}, {{low, 0, -kMost}, {high, 0, kMost}}});
+    broad_phase::grow(bounds, margin);
+    REQUIRE((bounds.low[0][0] == box.low[0] && bounds.low[0][1] == box.low[0]));
+    REQUIRE((bounds.high[0][0] == box.high[0] && bounds.high[0][1] == box.high[0]));
   }
 }
 

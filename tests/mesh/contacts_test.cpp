@@ -1,8 +1,11 @@
 // The contacts of whole meshes are those of all pairs, asked one by one; they do not depend on threads, nor on the
 // order of vertices and faces.
 // SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstring>
+#include <iterator>
 #include <limits>
 #include <map>
 #include <numeric>
@@ -11,6 +14,8 @@
 #include <touchstone/contact_times.hpp>
 #include <touchstone/touchstone.hpp>
 
+#include "broad_phase/box_tree.hpp"
+#include "broad_phase/grid.hpp"
 #include "mesh/same_bytes.hpp"
 #include "mesh/scenes.hpp"
 #include "support/catch.hpp"
@@ -106,6 +111,18 @@ struct Seen {
   }
 };
 
+/// Whether the moving boxes of the two elements meet.
+bool boxes_meet(const Query& query) {
+  std::array<broad_phase::MovingBox, 2> boxes{broad_phase::empty_moving_box(), broad_phase::empty_moving_box()};
+  const std::size_t of_first = query.kind == Kind::edge_edge ? 2 : 1;
+  for (std::size_t c = 0; c < corner_count(query.kind); ++c) {
+    broad_phase::MovingBox& box = boxes[c < of_first ? 0 : 1];
+    broad_phase::extend(box.start, query.start[c]);
+    broad_phase::extend(box.end, query.end[c]);
+  }
+  return broad_phase::meet(boxes[0], boxes[1]);
+}
+
 }  // namespace
 
 TEST_CASE("the contacts of a mesh are those of all pairs by brute force") {
@@ -125,6 +142,12 @@ TEST_CASE("the contacts of a mesh are those of all pairs by brute force") {
       }
       if (separated) add_separation(random, scene);
       if (with_rules) add_rules(random, scene);
+      if (random.one_in(4)) {  // half of the loose points are listed, and the others do not collide
+        const std::vector<MeshIndex> loose = parts_of(scene.elements).points;
+        std::vector<MeshIndex>& listed = scene.elements.points.emplace();
+        std::copy_if(loose.begin(), loose.end(), std::back_inserter(listed),
+                     [&](MeshIndex) { return random.one_in(2); });
+      }
       const bool by_pair = separated && random.one_in(2);
       if (by_pair) add_pair_separations(random, scene);
       const Mesh mesh(scene.elements);
@@ -145,6 +168,13 @@ TEST_CASE("the contacts of a mesh are those of all pairs by brute force") {
       REQUIRE(std::all_of(expected.all.begin(), expected.all.end(), [&](const MeshContact& contact) {
         return std::binary_search(near.begin(), near.end(), contact.pair);
       }));
+      if (!separated) {
+        std::vector<MeshPair> meeting;
+        std::copy_if(asked.begin(), asked.end(), std::back_inserter(meeting), [&](const MeshPair& pair) {
+          return boxes_meet(query_of(mesh, pair, scene.start(), scene.end()));
+        });
+        REQUIRE(near == meeting);
+      }
       seen.add(scene.name + " with a first contact", found.contact);
       seen.add(scene.name + " with contact at the start", !found.at_start.empty());
       seen.add("several first contacts", found.first.size() > 1);
@@ -210,6 +240,58 @@ TEST_CASE("a pair may collide as the rules say, and has the separation of its ra
       CAPTURE(round, scene.name);
       REQUIRE(wrong == 0);
     }
+  }
+}
+
+TEST_CASE("pairs of a large mesh at rest are those whose boxes touch, by a grid, for any number of threads") {
+  // A rough sheet with some 20,000 faces, edges that stand on it, and loose points above it.
+  const MeshIndex n = TOUCHSTONE_SLOW_BUILD ? 40 : 100;
+  MeshElements elements;
+  std::vector<Vec3> x;
+  seeded::Rng random(109);
+  for (MeshIndex i = 0; i <= n; ++i) {
+    for (MeshIndex j = 0; j <= n; ++j)
+      x.push_back({i + 0.8 * random.symmetric(), j + 0.8 * random.symmetric(), random.symmetric()});
+  }
+  for (MeshIndex i = 0; i < n; ++i) {
+    for (MeshIndex j = 0; j < n; ++j) {
+      const MeshIndex v = i * (n + 1) + j;
+      elements.faces.push_back({v, v + n + 1, v + n + 2});
+      elements.faces.push_back({v, v + n + 2, v + 1});
+    }
+  }
+  for (MeshIndex v = 0; v < n * n; v += 3) {
+    elements.edges.push_back({v, static_cast<MeshIndex>(x.size())});
+    x.push_back({x[v].x + random.symmetric(), x[v].y, x[v].z + 1});
+    x.push_back({x[v].x, x[v].y + random.symmetric(), x[v].z + random.symmetric()});  // loose
+  }
+  elements.vertex_count = x.size();
+  const Mesh mesh(elements);
+
+  std::vector<broad_phase::Box> edges, vertices, faces;
+  const auto box_of = [&](const auto& corners) {
+    broad_phase::Box box = broad_phase::empty_box();
+    for (const MeshIndex corner : corners) broad_phase::extend(box, x[corner]);
+    return box;
+  };
+  for (const auto& edge : mesh.edges()) edges.push_back(box_of(edge));
+  for (const auto& face : mesh.faces()) faces.push_back(box_of(face));
+  for (MeshIndex v = 0; v < x.size(); ++v) vertices.push_back(box_of(std::array{v}));
+  std::vector<MeshPair> expected;
+  const auto add = [&](Kind kind, MeshIndex i, MeshIndex j) {
+    if (mesh.may_collide({kind, i, j})) expected.push_back({kind, i, j});
+  };
+  broad_phase::for_each_overlap(edges, [&](MeshIndex i, MeshIndex j) { add(Kind::edge_edge, i, j); });
+  broad_phase::for_each_overlap(vertices, faces, [&](MeshIndex i, MeshIndex j) { add(Kind::vertex_face, i, j); });
+  broad_phase::for_each_overlap(vertices, edges, [&](MeshIndex i, MeshIndex j) { add(Kind::point_edge, i, j); });
+  broad_phase::for_each_overlap(vertices, [&](MeshIndex i, MeshIndex j) { add(Kind::point_point, i, j); });
+  std::sort(expected.begin(), expected.end());
+  CHECK(expected.size() > (TOUCHSTONE_SLOW_BUILD ? 10'000U : 60'000U));
+  const auto at_rest = intersections(mesh, x);
+  for (const int threads : {1, 2, 16}) {
+    CAPTURE(threads);
+    CHECK((candidates(mesh, x, x, {threads}) == expected));
+    CHECK(same_bytes(intersections(mesh, x, {threads}), at_rest));
   }
 }
 

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -34,23 +33,23 @@ inline void extend(Box& box, const Vec3& corner) noexcept {
   }
 }
 
-/// The next greater double, as std::nextafter has it, without a call.
-inline double next_above(double x) noexcept {
-  constexpr auto kInfinity = std::bit_cast<std::uint64_t>(std::numeric_limits<double>::infinity());
-  const auto bits = std::bit_cast<std::uint64_t>(x);
-  if (bits == kInfinity || (bits << 1) > (kInfinity << 1)) return x;  // NaN, too
-  if (bits << 1 == 0) return std::numeric_limits<double>::denorm_min();
-  return std::bit_cast<double>(bits >> 63 != 0 ? bits - 1 : bits + 1);
+/// A bound x < infinity, or bounds side by side, less than x by one double at least: |x| 2^-52 is at least the distance
+/// to the next lesser double, and the least double stands for it where that underflows. Rounding does not change an
+/// order, so the difference is at most that double. Below the least double it is -infinity. In the default modes:
+/// subnormal numbers must not be flushed to zero.
+template <class Bound>
+Bound lowered(Bound x) noexcept {
+  return x - ((x < 0 ? -x : x) * 0x1p-52 + std::numeric_limits<double>::denorm_min());
 }
-inline double next_below(double x) noexcept { return -next_above(-x); }
 
 /// Moves each side outwards by at least `margin` >= 0. Bounds are then no longer coordinates.
-inline void grow(Box& box, double margin) noexcept {
+template <class AnyBox>
+void grow(AnyBox& box, double margin) noexcept {
   if (margin == 0) return;
   for (std::size_t k = 0; k < 3; ++k) {
     // A rounded difference is at most one double away from the exact one.
-    box.low[k] = next_below(box.low[k] - margin);
-    box.high[k] = next_above(box.high[k] + margin);
+    box.low[k] = lowered(box.low[k] - margin);
+    box.high[k] = -lowered(-box.high[k] - margin);
   }
 }
 

@@ -12,8 +12,7 @@
 namespace touchstone::broad_phase {
 namespace {
 
-using Number = BoxTree::Number;
-using Node = BoxTree::Node;
+using Number = std::uint32_t;
 
 /// The times at which two boxes may overlap; none if `from` exceeds `to`.
 struct TimeInterval {
@@ -42,72 +41,41 @@ bool keep_where_not_negative(double f0, double f1, TimeInterval& times) noexcept
   return true;
 }
 
-/// As meet, for boxes that are apart along some axis at one end of the step.
-[[gnu::noinline]] bool meet_between(const BoundsByAxis& a, const BoundsByAxis& b, double until) noexcept {
-  TimeInterval times{0, until};
-  for (std::size_t k = 0; k < 3; ++k) {
-    const auto f = b.high[k] - a.low[k], g = a.high[k] - b.low[k];
-    if (!keep_where_not_negative(f[0], f[1], times) || !keep_where_not_negative(g[0], g[1], times)) return false;
-  }
-  return times.from <= times.to + kTimesError;
-}
-
-/// As meet. Most boxes are apart along an axis at both ends, or along none: comparisons without branches tell these
-/// from others.
-bool meet_by_axis(const BoundsByAxis& a, const BoundsByAxis& b, double until) noexcept {
-  using Mask = decltype(a.low[0] < b.low[0]);
-  Mask apart{}, at_an_end{};
-  for (std::size_t k = 0; k < 3; ++k) {
-    const Mask below = a.high[k] < b.low[k], above = b.high[k] < a.low[k];
-    apart |= Mask{below[0], above[0]} & Mask{below[1], above[1]};
-    at_an_end |= below | above;
-  }
-  if ((apart[0] | apart[1]) != 0) return false;
-  return (at_an_end[0] | at_an_end[1]) == 0 ? 0 <= until + kTimesError : meet_between(a, b, until);
-}
-
-BoundsByAxis by_axis(const MovingBox& box) noexcept {
-  BoundsByAxis bounds;
-  for (std::size_t k = 0; k < 3; ++k) {
-    bounds.low[k] = BoundsByAxis::AtBothEnds{box.start.low[k], box.end.low[k]};
-    bounds.high[k] = BoundsByAxis::AtBothEnds{box.start.high[k], box.end.high[k]};
-  }
-  return bounds;
-}
-
-void join_by_axis(BoundsByAxis& box, const BoundsByAxis& other) noexcept {
-  for (std::size_t k = 0; k < 3; ++k) {
-    box.low[k] = other.low[k] < box.low[k] ? other.low[k] : box.low[k];
-    box.high[k] = box.high[k] < other.high[k] ? other.high[k] : box.high[k];
-  }
+/// The lower bounds, at both ends of a step.
+std::array<double, 3> lower_bounds(const Box& box) noexcept { return box.low; }
+std::array<double, 6> lower_bounds(const BoundsByAxis& box) noexcept {
+  return {box.low[0][0], box.low[1][0], box.low[2][0], box.low[0][1], box.low[1][1], box.low[2][1]};
 }
 
 constexpr Number kLeaf = 8;            // boxes in a leaf, at most
 constexpr Number kFewest = kLeaf / 2;  // and, in each part of a larger node, at least
 
-/// A box's number, and its lower bounds at both ends.
+/// A box's number, and its lower bounds.
+template <class Bounds>
 struct Item {
-  std::array<double, 6> at;
+  decltype(lower_bounds(std::declval<Bounds>())) at;
   Number number;
 };
 
-using Items = LargeVector<Item>;
+template <class Bounds>
+using Items = LargeVector<Item<Bounds>>;
 
 struct Extent {
   std::size_t axis;
   double middle;
 };
 
-Extent widest_extent(const Items& items, Number first, Number last) noexcept {
-  std::array<double, 6> least = items[first].at, greatest = least;
+template <class Bounds>
+Extent widest_extent(const Items<Bounds>& items, Number first, Number last) noexcept {
+  auto least = items[first].at, greatest = least;
   for (Number i = first + 1; i < last; ++i) {
-    for (std::size_t axis = 0; axis < 6; ++axis) {
+    for (std::size_t axis = 0; axis < least.size(); ++axis) {
       least[axis] = std::min(least[axis], items[i].at[axis]);
       greatest[axis] = std::max(greatest[axis], items[i].at[axis]);
     }
   }
   std::size_t widest = 0;
-  for (std::size_t axis = 1; axis < 6; ++axis) {
+  for (std::size_t axis = 1; axis < least.size(); ++axis) {
     if (greatest[axis] - least[axis] > greatest[widest] - least[widest]) widest = axis;
   }
   return {widest, 0.5 * least[widest] + 0.5 * greatest[widest]};
@@ -115,15 +83,16 @@ Extent widest_extent(const Items& items, Number first, Number last) noexcept {
 
 /// Divides the items [first, last) into two parts. @returns where the second part begins. Only the boxes decide which
 /// box is in which part.
-Number split(Items& items, Number first, Number last) {
+template <class Bounds>
+Number split(Items<Bounds>& items, Number first, Number last) {
   const auto begin = items.begin() + first, end = items.begin() + last;
   const Extent extent = widest_extent(items, first, last);
-  const auto beyond = std::partition(begin, end, [&](const Item& i) { return i.at[extent.axis] < extent.middle; });
+  const auto beyond = std::partition(begin, end, [&](const auto& i) { return i.at[extent.axis] < extent.middle; });
   const Number middle = first + static_cast<Number>(beyond - begin);
   const Number fewest = std::max(kFewest, (last - first) / 8);  // so that the depth is logarithmic
   if (middle - first >= fewest && last - middle >= fewest) return middle;
   const Number half = first + (last - first) / 2;
-  std::nth_element(begin, items.begin() + half, end, [&](const Item& i, const Item& j) {
+  std::nth_element(begin, items.begin() + half, end, [&](const auto& i, const auto& j) {
     const double x = i.at[extent.axis], y = j.at[extent.axis];
     return x != y ? x < y : i.number < j.number;
   });
@@ -136,95 +105,6 @@ Number split(Items& items, Number first, Number last) {
 Number number_of_leaf(Number first) noexcept { return first / kFewest * 2; }
 Number number_of_inner(Number middle) noexcept { return middle / kFewest * 2 - 1; }
 
-/// What the subtrees of a tree are built from, by several threads at the same time: each has its own positions.
-struct Material {
-  Items& items;
-  LargeVector<Number>& numbers;
-  LargeVector<BoundsByAxis>& boxes;
-  LargeVector<Node>& nodes;
-  const std::function<MovingBox(Number)>& box_of;
-};
-
-/// Makes an inner node of two others. @returns its number
-Number join_children(LargeVector<Node>& nodes, Number first, Number second) {
-  const Number at = number_of_inner(nodes[second].begin);
-  nodes[at] = {nodes[first].box, nodes[first].begin, nodes[second].end, first, second};
-  join_by_axis(nodes[at].box, nodes[second].box);
-  return at;
-}
-
-/// Builds the tree over the positions [first, last). @returns the number of its root
-Number build(const Material& from, Number first, Number last) {
-  if (last - first > kLeaf) {
-    const Number middle = split(from.items, first, last);
-    const Number begin = build(from, first, middle);
-    return join_children(from.nodes, begin, build(from, middle, last));
-  }
-  std::sort(from.items.begin() + first, from.items.begin() + last,
-            [](const Item& i, const Item& j) { return i.number < j.number; });
-  const Number at = number_of_leaf(first);
-  from.nodes[at] = {by_axis(empty_moving_box()), first, last, 0, 0};
-  for (Number i = first; i < last; ++i) {
-    from.numbers[i] = from.items[i].number;
-    from.boxes[i] = by_axis(from.box_of(from.numbers[i]));
-    join_by_axis(from.nodes[at].box, from.boxes[i]);
-  }
-  return at;
-}
-
-/// A node near the root. Its children are both 0, or numbers of other subtrees.
-struct Subtree {
-  Number begin, end;
-  std::size_t children[2] = {0, 0};
-  Number root = 0;  ///< of the tree over its boxes
-};
-
-constexpr Number kSubtreeBoxes = 2048;     // a subtree of so many boxes, or fewer, is not divided among threads
-constexpr std::size_t kSubtreeLevels = 6;  // 64 subtrees: enough for most machines
-
-/// The tree's upper levels, level by level, each level's nodes on several threads; then the trees below them.
-/// @returns the number of the root
-Number build_all(const Material& from, int threads) {
-  std::vector<Subtree> subtrees(1);
-  subtrees[0].begin = 0;
-  subtrees[0].end = static_cast<Number>(from.items.size());
-  std::size_t level_begin = 0;
-  for (std::size_t level = 0; level < kSubtreeLevels; ++level) {
-    const std::size_t level_end = subtrees.size();
-    std::vector<Number> middles(level_end - level_begin, 0);
-    threads::for_each_range(middles.size(), 1, threads, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t i = begin; i < end; ++i) {
-        const Subtree& subtree = subtrees[level_begin + i];
-        if (subtree.end - subtree.begin > kSubtreeBoxes) middles[i] = split(from.items, subtree.begin, subtree.end);
-      }
-    });
-    for (std::size_t i = 0; i < middles.size(); ++i) {
-      if (middles[i] == 0) continue;
-      const std::size_t at = level_begin + i;
-      const Number bounds[3] = {subtrees[at].begin, middles[i], subtrees[at].end};
-      for (std::size_t child = 0; child < 2; ++child) {
-        subtrees[at].children[child] = subtrees.size();
-        Subtree subtree;
-        subtree.begin = bounds[child];
-        subtree.end = bounds[child + 1];
-        subtrees.push_back(subtree);
-      }
-    }
-    level_begin = level_end;
-  }
-  threads::for_each_range(subtrees.size(), 1, threads, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) {
-      if (subtrees[i].children[0] == 0) subtrees[i].root = build(from, subtrees[i].begin, subtrees[i].end);
-    }
-  });
-  for (std::size_t i = subtrees.size(); i-- > 0;) {  // children come after their parents
-    const auto& children = subtrees[i].children;
-    if (children[0] == 0) continue;
-    subtrees[i].root = join_children(from.nodes, subtrees[children[0]].root, subtrees[children[1]].root);
-  }
-  return subtrees[0].root;
-}
-
 /// Two nodes whose boxes are to be compared; `within`: one node, and both are it.
 struct Task {
   Number a, b;
@@ -232,27 +112,28 @@ struct Task {
 };
 
 /// Whether the nodes x of a and y of b are compared by the children of x.
+template <class Node>
 bool divides_first(const Node& x, const Node& y) noexcept {
   return y.is_leaf() || (!x.is_leaf() && x.size() >= y.size());
 }
 
 /// Compares the boxes of trees. `until()` is the time after which a meeting does not count. `found(position in a,
 /// position in b)` is called for boxes that meet.
-template <class Until, class Found>
+template <class Bounds, class Until, class Found>
 class Comparison {
  public:
-  Comparison(const BoxTree& a, const BoxTree& b, const Until& until, const Found& found)
+  Comparison(const BoxTree<Bounds>& a, const BoxTree<Bounds>& b, const Until& until, const Found& found)
       : a_(a), b_(b), until_(until), found_(found) {}
 
   void across(Number in_a, Number in_b) const {
-    const Node &x = a_.node(in_a), &y = b_.node(in_b);
-    if (!meet_by_axis(x.box, y.box, until_())) return;
+    const auto &x = a_.node(in_a), &y = b_.node(in_b);
+    if (!meet(x.box, y.box, until_())) return;
     if (x.is_leaf() && y.is_leaf()) {
       for (Number i = x.begin; i < x.end; ++i) {
-        const BoundsByAxis& box = a_.box(i);
-        if (!meet_by_axis(box, y.box, until_())) continue;
+        const Bounds& box = a_.box(i);
+        if (!meet(box, y.box, until_())) continue;
         for (Number j = y.begin; j < y.end; ++j) {
-          if (meet_by_axis(box, b_.box(j), until_())) found_(i, j);
+          if (meet(box, b_.box(j), until_())) found_(i, j);
         }
       }
     } else if (divides_first(x, y)) {
@@ -266,11 +147,11 @@ class Comparison {
 
   /// `a` and `b` are one tree.
   void within(Number at) const {
-    const Node& x = a_.node(at);
+    const auto& x = a_.node(at);
     if (x.is_leaf()) {
       for (Number i = x.begin; i < x.end; ++i) {
         for (Number j = i + 1; j < x.end; ++j) {
-          if (meet_by_axis(a_.box(i), a_.box(j), until_())) found_(i, j);
+          if (meet(a_.box(i), a_.box(j), until_())) found_(i, j);
         }
       }
       return;
@@ -283,7 +164,7 @@ class Comparison {
   void run(const Task& task) const { task.within ? within(task.a) : across(task.a, task.b); }
 
  private:
-  const BoxTree &a_, &b_;
+  const BoxTree<Bounds>&a_, &b_;
   const Until& until_;
   const Found& found_;
 };
@@ -291,8 +172,10 @@ class Comparison {
 constexpr Number kTaskBoxes = 512;  // a task with so many boxes, or fewer, is not divided
 
 /// The comparison of two nodes as tasks, in the order in which Comparison makes them.
-void divide(const BoxTree& a, const BoxTree& b, const Task& task, double until, std::vector<Task>& tasks) {
-  const Node &x = a.node(task.a), &y = b.node(task.b);
+template <class Bounds>
+void divide(const BoxTree<Bounds>& a, const BoxTree<Bounds>& b, const Task& task, double until,
+            std::vector<Task>& tasks) {
+  const auto &x = a.node(task.a), &y = b.node(task.b);
   if (task.within) {
     if (x.is_leaf() || x.size() <= kTaskBoxes) {
       tasks.push_back(task);
@@ -303,7 +186,7 @@ void divide(const BoxTree& a, const BoxTree& b, const Task& task, double until, 
     divide(a, b, {x.first, x.second, false}, until, tasks);
     return;
   }
-  if (!meet_by_axis(x.box, y.box, until)) return;
+  if (!meet(x.box, y.box, until)) return;
   if ((x.is_leaf() && y.is_leaf()) || x.size() + y.size() <= kTaskBoxes) {
     tasks.push_back(task);
   } else if (divides_first(x, y)) {
@@ -316,29 +199,29 @@ void divide(const BoxTree& a, const BoxTree& b, const Task& task, double until, 
 }
 
 /// Runs tasks one after another, and hands out the pairs in blocks.
-void run_tasks(const BoxTree& a, const BoxTree& b, const Task* first, const Task* last, const PairSearch& search,
-               const PairBlockConsumer& take) {
+template <class Bounds>
+void run_tasks(const BoxTree<Bounds>& a, const BoxTree<Bounds>& b, const Task* first, const Task* last,
+               const PairSearch& search, const PairBlockConsumer& take) {
   std::array<Pair, kPairBlock> block;
   std::size_t count = 0;
-  const bool one_tree = &a == &b;
   const auto found = [&](Number i, Number j) {
-    const Number x = a.number(i), y = b.number(j);
-    block[count++] = one_tree && y < x ? Pair{y, x} : Pair{x, y};
+    block[count++] = {a.number(i), b.number(j)};
     if (count == kPairBlock) {
       take(block.data(), count);
       count = 0;
     }
   };
-  const auto until = [&] { return search.until == nullptr ? 1.0 : search.until->load(std::memory_order_relaxed); };
-  const Comparison comparison(a, b, until, found);
+  const auto time = [&] { return until(search); };
+  const Comparison comparison(a, b, time, found);
   for (const Task* task = first; task != last; ++task) comparison.run(*task);
   if (count > 0) take(block.data(), count);
 }
 
-void run_all(const BoxTree& a, const BoxTree& b, const Task& whole, const PairSearch& search,
-             const PairBlockConsumer& take) {
+template <class Bounds>
+void run_all(const BoxTree<Bounds>& a, const BoxTree<Bounds>& b, const std::vector<Task>& wholes,
+             const PairSearch& search, const PairBlockConsumer& take) {
   std::vector<Task> tasks;
-  divide(a, b, whole, 1, tasks);
+  for (const Task& whole : wholes) divide(a, b, whole, 1, tasks);
   constexpr std::size_t kTasksAtATime = 16;
   threads::for_each_range(tasks.size(), kTasksAtATime, search.threads, [&](std::size_t first, std::size_t last) {
     run_tasks(a, b, tasks.data() + first, tasks.data() + last, search, take);
@@ -347,22 +230,154 @@ void run_all(const BoxTree& a, const BoxTree& b, const Task& whole, const PairSe
 
 double whole_step() noexcept { return 1; }
 
+/// A node near the root. Its children are both 0, or numbers of other subtrees.
+struct Subtree {
+  Number begin, end;
+  std::size_t children[2] = {0, 0};
+  Number root = 0;  ///< of the tree over its boxes
+  bool is_divided() const noexcept { return children[0] != 0; }
+};
+
+constexpr Number kSubtreeBoxes = 2048;     // a subtree of so many boxes, or fewer, is not divided among threads
+constexpr std::size_t kSubtreeLevels = 6;  // 64 subtrees: enough for most machines
+
+/// Whether a subtree is small enough among `count` boxes that one thread compares all of its boxes.
+bool is_small(const Subtree& subtree, std::size_t count) noexcept {
+  return (subtree.end - subtree.begin) <= count / 16;
+}
+
 }  // namespace
 
-BoxTree::BoxTree(std::size_t count, const std::function<MovingBox(Number)>& box_of, int threads)
-    : numbers_(count), boxes_(count), nodes_(count == 0 ? 0 : number_of_leaf(static_cast<Number>(count)) + 1) {
-  if (count == 0) return;
-  Items items(count);
-  constexpr std::size_t kItemsAtATime = 4096;
-  threads::for_each_range(count, kItemsAtATime, threads, [&](std::size_t first, std::size_t last) {
-    for (std::size_t i = first; i < last; ++i) {
-      items[i].number = static_cast<Number>(i);
-      const MovingBox box = box_of(items[i].number);
-      std::copy_n(box.start.low.begin(), 3, items[i].at.begin());
-      std::copy_n(box.end.low.begin(), 3, items[i].at.begin() + 3);
+/// Builds a tree. Several threads build its subtrees at the same time: each has its own positions.
+template <class Bounds>
+class TreeBuilder {
+ public:
+  TreeBuilder(BoxTree<Bounds>& tree, std::size_t count, const BoxOf<Bounds>& box_of, int threads)
+      : tree_(tree), box_of_(box_of), threads_(threads), items_(count) {
+    tree.numbers_.resize(count);
+    tree.boxes_.resize(count);
+    tree.nodes_.resize(number_of_leaf(static_cast<Number>(count)) + 1);
+    constexpr std::size_t kItemsAtATime = 4096;
+    threads::for_each_range(count, kItemsAtATime, threads, [&](std::size_t first, std::size_t last) {
+      for (std::size_t i = first; i < last; ++i) {
+        const auto number = static_cast<Number>(i);
+        items_[i] = {lower_bounds(box_of(number)), number};
+      }
+    });
+  }
+
+  /// The tree's upper levels, level by level, each level's nodes on several threads; then the trees below them.
+  /// `built(root)` is called for each of these that is small, by any thread; false ends all, with a tree that is of no
+  /// use.
+  /// @returns the root, and its subtrees after it
+  template <class Built>
+  std::vector<Subtree> build_all(const Built& built) {
+    std::vector<Subtree> subtrees = divide();
+    std::atomic<bool> ends{false};
+    threads::for_each_range(subtrees.size(), 1, threads_, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end && !ends; ++i) {
+        if (subtrees[i].is_divided()) continue;
+        subtrees[i].root = build(subtrees[i].begin, subtrees[i].end);
+        if (is_small(subtrees[i], items_.size()) && !built(subtrees[i].root)) ends = true;
+      }
+    });
+    for (std::size_t i = subtrees.size(); i-- > 0 && !ends;) {  // children come after their parents
+      const auto& children = subtrees[i].children;
+      if (!subtrees[i].is_divided()) continue;
+      subtrees[i].root = join_children(subtrees[children[0]].root, subtrees[children[1]].root);
     }
-  });
-  root_ = build_all({items, numbers_, boxes_, nodes_, box_of}, threads);
+    tree_.root_ = subtrees[0].root;
+    return subtrees;
+  }
+
+ private:
+  std::vector<Subtree> divide() {
+    std::vector<Subtree> subtrees(1);
+    subtrees[0].begin = 0;
+    subtrees[0].end = static_cast<Number>(items_.size());
+    std::size_t level_begin = 0;
+    for (std::size_t level = 0; level < kSubtreeLevels; ++level) {
+      const std::size_t level_end = subtrees.size();
+      std::vector<Number> middles(level_end - level_begin, 0);
+      threads::for_each_range(middles.size(), 1, threads_, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) {
+          const Subtree& subtree = subtrees[level_begin + i];
+          if (subtree.end - subtree.begin > kSubtreeBoxes) middles[i] = split(items_, subtree.begin, subtree.end);
+        }
+      });
+      for (std::size_t i = 0; i < middles.size(); ++i) {
+        if (middles[i] == 0) continue;
+        const std::size_t at = level_begin + i;
+        const Number bounds[3] = {subtrees[at].begin, middles[i], subtrees[at].end};
+        for (std::size_t child = 0; child < 2; ++child) {
+          subtrees[at].children[child] = subtrees.size();
+          Subtree subtree;
+          subtree.begin = bounds[child];
+          subtree.end = bounds[child + 1];
+          subtrees.push_back(subtree);
+        }
+      }
+      level_begin = level_end;
+    }
+    return subtrees;
+  }
+
+  /// Builds the tree over the positions [first, last). @returns the number of its root
+  Number build(Number first, Number last) {
+    if (last - first > kLeaf) {
+      const Number middle = split(items_, first, last);
+      const Number begin = build(first, middle);
+      return join_children(begin, build(middle, last));
+    }
+    std::sort(items_.begin() + first, items_.begin() + last,
+              [](const auto& i, const auto& j) { return i.number < j.number; });
+    for (Number i = first; i < last; ++i) {
+      tree_.numbers_[i] = items_[i].number;
+      tree_.boxes_[i] = box_of_(items_[i].number);
+    }
+    auto& node = tree_.nodes_[number_of_leaf(first)];
+    node = {tree_.boxes_[first], first, last, 0, 0};
+    for (Number i = first + 1; i < last; ++i) extend_by(node.box, tree_.boxes_[i]);
+    return number_of_leaf(first);
+  }
+
+  /// Makes an inner node of two others. @returns its number
+  Number join_children(Number first, Number second) {
+    auto& nodes = tree_.nodes_;
+    const Number at = number_of_inner(nodes[second].begin);
+    nodes[at] = {nodes[first].box, nodes[first].begin, nodes[second].end, first, second};
+    extend_by(nodes[at].box, nodes[second].box);
+    return at;
+  }
+
+  BoxTree<Bounds>& tree_;
+  const BoxOf<Bounds>& box_of_;
+  int threads_;
+  Items<Bounds> items_;
+};
+
+BoundsByAxis by_axis(const MovingBox& box) noexcept {
+  BoundsByAxis bounds;
+  for (std::size_t k = 0; k < 3; ++k) {
+    bounds.low[k] = BoundsByAxis::AtBothEnds{box.start.low[k], box.end.low[k]};
+    bounds.high[k] = BoundsByAxis::AtBothEnds{box.start.high[k], box.end.high[k]};
+  }
+  return bounds;
+}
+
+[[gnu::noinline]] bool meet_between(const BoundsByAxis& a, const BoundsByAxis& b, double until) noexcept {
+  if (until < 0) return false;
+  TimeInterval times{0, until};
+  for (std::size_t k = 0; k < 3; ++k) {
+    const auto f = b.high[k] - a.low[k], g = a.high[k] - b.low[k];
+    if (!keep_where_not_negative(f[0], f[1], times) || !keep_where_not_negative(g[0], g[1], times)) return false;
+  }
+  return times.from <= times.to + kTimesError;
+}
+
+template <class Bounds>
+BoxTree<Bounds>::BoxTree(std::size_t count, const BoxOf<Bounds>& box_of, int threads) {
+  if (count > 0) TreeBuilder<Bounds>(*this, count, box_of, threads).build_all([](Number) { return true; });
 }
 
 MovingBox empty_moving_box() noexcept { return {empty_box(), empty_box()}; }
@@ -378,20 +393,63 @@ void join(MovingBox& box, const MovingBox& other) noexcept {
   join_at(box.end, other.end);
 }
 
-bool meet(const MovingBox& a, const MovingBox& b, double until) noexcept {
-  return meet_by_axis(by_axis(a), by_axis(b), until);
+bool meet(const MovingBox& a, const MovingBox& b, double until) noexcept { return meet(by_axis(a), by_axis(b), until); }
+
+template <class Bounds>
+void for_each_pair_block(const BoxTree<Bounds>& tree, const PairSearch& search, const PairBlockConsumer& take) {
+  if (!tree.empty()) run_all(tree, tree, {{tree.root(), tree.root(), true}}, search, take);
 }
 
-void for_each_pair_block(const BoxTree& tree, const PairSearch& search, const PairBlockConsumer& take) {
-  if (!tree.empty()) run_all(tree, tree, {tree.root(), tree.root(), true}, search, take);
+template <class Bounds>
+void for_each_pair_block(const BoxTree<Bounds>& a, const BoxTree<Bounds>& b, const PairSearch& search,
+                         const PairBlockConsumer& take) {
+  if (!a.empty() && !b.empty()) run_all(a, b, {{a.root(), b.root(), false}}, search, take);
 }
 
-void for_each_pair_block(const BoxTree& a, const BoxTree& b, const PairSearch& search, const PairBlockConsumer& take) {
-  if (!a.empty() && !b.empty()) run_all(a, b, {a.root(), b.root(), false}, search, take);
+template <class Bounds>
+void for_each_pair_block(std::size_t count, const BoxOf<Bounds>& box_of, const PairSearch& search,
+                         const PairBlockConsumer& take) {
+  if (count == 0) return;
+  BoxTree<Bounds> tree;
+  const std::vector<Subtree> subtrees =
+      TreeBuilder<Bounds>(tree, count, box_of, search.threads).build_all([&](Number root) {
+        const Task within{root, root, true};
+        run_tasks(tree, tree, &within, &within + 1, search, take);
+        return until(search) >= 0;
+      });
+  if (until(search) < 0) return;
+  std::vector<Task> tasks;
+  for (const Subtree& subtree : subtrees) {
+    if (subtree.is_divided()) {
+      tasks.push_back({subtrees[subtree.children[0]].root, subtrees[subtree.children[1]].root, false});
+    } else if (!is_small(subtree, count)) {
+      tasks.push_back({subtree.root, subtree.root, true});
+    }
+  }
+  run_all(tree, tree, tasks, search, take);
 }
+
+#define TOUCHSTONE_TREES_OF(Bounds)                                                                       \
+  template class BoxTree<Bounds>;                                                                         \
+  template void for_each_pair_block(const BoxTree<Bounds>&, const PairSearch&, const PairBlockConsumer&); \
+  template void for_each_pair_block(const BoxTree<Bounds>&, const BoxTree<Bounds>&, const PairSearch&,    \
+                                    const PairBlockConsumer&);                                            \
+  template void for_each_pair_block<Bounds>(std::size_t, const BoxOf<Bounds>&, const PairSearch&,         \
+                                            const PairBlockConsumer&)
+TOUCHSTONE_TREES_OF(Box);
+TOUCHSTONE_TREES_OF(BoundsByAxis);
+#undef TOUCHSTONE_TREES_OF
+
+namespace {
+
+BoxTree<BoundsByAxis> tree_of(const std::vector<MovingBox>& boxes) {
+  return {boxes.size(), [&](Number i) { return by_axis(boxes[i]); }};
+}
+
+}  // namespace
 
 void for_each_pair(const std::vector<MovingBox>& boxes, const PairConsumer& found) {
-  const BoxTree tree(boxes.size(), [&](Number i) { return boxes[i]; });
+  const BoxTree tree = tree_of(boxes);
   if (tree.empty()) return;
   const auto found_positions = [&](Number i, Number j) {
     const Number a = tree.number(i), b = tree.number(j);
@@ -401,7 +459,7 @@ void for_each_pair(const std::vector<MovingBox>& boxes, const PairConsumer& foun
 }
 
 void for_each_pair(const std::vector<MovingBox>& a, const std::vector<MovingBox>& b, const PairConsumer& found) {
-  const BoxTree in_a(a.size(), [&](Number i) { return a[i]; }), in_b(b.size(), [&](Number i) { return b[i]; });
+  const BoxTree in_a = tree_of(a), in_b = tree_of(b);
   if (in_a.empty() || in_b.empty()) return;
   const auto found_positions = [&](Number i, Number j) { found(in_a.number(i), in_b.number(j)); };
   Comparison(in_a, in_b, whole_step, found_positions).across(in_a.root(), in_b.root());

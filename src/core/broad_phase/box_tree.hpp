@@ -27,27 +27,68 @@ MovingBox empty_moving_box() noexcept;
 /// Extends `box` so that it contains the other box at all times.
 void join(MovingBox& box, const MovingBox& other) noexcept;
 
-/// False proves that the boxes are disjoint at all times in [0, until], until <= 1. It is false where until <= -1.
-bool meet(const MovingBox& a, const MovingBox& b, double until = 1) noexcept;
-
 /// The same with the bounds of both ends side by side.
 struct BoundsByAxis {
   typedef double AtBothEnds __attribute__((vector_size(16)));
   AtBothEnds low[3], high[3];
 };
 
-/// A binary tree over boxes. The boxes of a node are near each other at both ends of the step.
+BoundsByAxis by_axis(const MovingBox& box) noexcept;
+
+/// As meet, for boxes that are apart along some axis at one end of the step.
+bool meet_between(const BoundsByAxis& a, const BoundsByAxis& b, double until) noexcept;
+
+/// False proves that the boxes are disjoint at all times in [0, until], until <= 1. It is false where until < 0.
+/// Most boxes are apart along an axis at both ends, or along none: comparisons without branches tell these from others.
+inline bool meet(const BoundsByAxis& a, const BoundsByAxis& b, double until = 1) noexcept {
+  using Mask = decltype(a.low[0] < b.low[0]);
+  Mask apart{}, at_an_end{};
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Mask below = a.high[k] < b.low[k], above = b.high[k] < a.low[k];
+    apart |= Mask{below[0], above[0]} & Mask{below[1], above[1]};
+    at_an_end |= below | above;
+  }
+  if ((apart[0] | apart[1]) != 0) return false;
+  return (at_an_end[0] | at_an_end[1]) == 0 ? until >= 0 : meet_between(a, b, until);
+}
+bool meet(const MovingBox& a, const MovingBox& b, double until = 1) noexcept;
+
+/// The same for boxes at rest.
+inline bool meet(const Box& a, const Box& b, double until = 1) noexcept {
+  int apart = int{until < 0};
+  for (std::size_t k = 0; k < 3; ++k) apart |= int{a.high[k] < b.low[k]} | int{b.high[k] < a.low[k]};
+  return apart == 0;
+}
+
+/// Extends a box so that it contains the other one, at all times.
+template <class Bounds>
+void extend_by(Bounds& box, const Bounds& other) noexcept {
+  for (std::size_t k = 0; k < 3; ++k) {
+    box.low[k] = other.low[k] < box.low[k] ? other.low[k] : box.low[k];
+    box.high[k] = box.high[k] < other.high[k] ? other.high[k] : box.high[k];
+  }
+}
+
+/// The box with a number. It is asked at most twice for each box, from several threads.
+template <class Bounds>
+using BoxOf = std::function<Bounds(std::uint32_t)>;
+
+/// A binary tree over boxes: at rest, `Bounds` is Box, or in motion, BoundsByAxis. The boxes of a node are near each
+/// other, at both ends of the step.
+template <class Bounds>
 class BoxTree {
  public:
   using Number = std::uint32_t;
 
+  /// A tree over no box.
+  BoxTree() = default;
+
   /// @param count    the number of boxes, below 2^32
-  /// @param box_of   box i; it is asked twice for each box, from several threads
   /// @param threads  the number of threads, as in threads::for_each_range; the tree does not depend on it
-  BoxTree(std::size_t count, const std::function<MovingBox(Number)>& box_of, int threads = 1);
+  BoxTree(std::size_t count, const BoxOf<Bounds>& box_of, int threads = 1);
 
   struct Node {
-    BoundsByAxis box;
+    Bounds box;
     Number begin, end;     ///< the positions of its boxes: begin, ..., end - 1
     Number first, second;  ///< the children; the second is 0 in a leaf
     bool is_leaf() const noexcept { return second == 0; }
@@ -58,12 +99,15 @@ class BoxTree {
   Number root() const noexcept { return root_; }
   const Node& node(Number n) const noexcept { return nodes_[n]; }
   Number number(Number position) const noexcept { return numbers_[position]; }
-  const BoundsByAxis& box(Number position) const noexcept { return boxes_[position]; }
+  const Bounds& box(Number position) const noexcept { return boxes_[position]; }
 
  private:
-  LargeVector<Number> numbers_;      // by position
-  LargeVector<BoundsByAxis> boxes_;  // by position
-  LargeVector<Node> nodes_;          // not all of its places hold one
+  template <class>
+  friend class TreeBuilder;
+
+  LargeVector<Number> numbers_;  // by position
+  LargeVector<Bounds> boxes_;    // by position
+  LargeVector<Node> nodes_;      // not all of its places hold one
   Number root_ = 0;
 };
 
@@ -82,12 +126,25 @@ struct PairSearch {
   const std::atomic<double>* until = nullptr;
 };
 
-/// Hands out each pair i < j of boxes that meet, once, and no other pair. With one thread, the order depends on the
-/// boxes only.
-void for_each_pair_block(const BoxTree& tree, const PairSearch& search, const PairBlockConsumer& take);
+inline double until(const PairSearch& search) noexcept {
+  return search.until == nullptr ? 1.0 : search.until->load(std::memory_order_relaxed);
+}
+
+/// Hands out each pair of boxes that meet, once, in either order, and no other pair. With one thread, the order depends
+/// on the boxes only.
+template <class Bounds>
+void for_each_pair_block(const BoxTree<Bounds>& tree, const PairSearch& search, const PairBlockConsumer& take);
+
+/// The same of boxes that have no tree yet. Pairs are handed out while it is built: so a search that ends early, by a
+/// time below 0, waits for a part of it only.
+template <class Bounds>
+void for_each_pair_block(std::size_t count, const BoxOf<Bounds>& box_of, const PairSearch& search,
+                         const PairBlockConsumer& take);
 
 /// The same for box i of `a` and box j of `b`.
-void for_each_pair_block(const BoxTree& a, const BoxTree& b, const PairSearch& search, const PairBlockConsumer& take);
+template <class Bounds>
+void for_each_pair_block(const BoxTree<Bounds>& a, const BoxTree<Bounds>& b, const PairSearch& search,
+                         const PairBlockConsumer& take);
 
 /// Calls found(i, j) once for each i < j whose boxes meet, and for no other pair. The order of the calls depends on the
 /// boxes only.

@@ -7,122 +7,263 @@
 #include <limits>
 #include <mutex>
 
-#include "mesh/contacts.hpp"
 #include "mesh/folds.hpp"
 #include "mesh/pair_distance.hpp"
 #include "numbers/doubles/float_environment.hpp"
 #include "solver/cascade.hpp"
-#include "threads/for_each_range.hpp"
 
 namespace touchstone::mesh {
 namespace {
 
+using broad_phase::BoundsByAxis;
 using broad_phase::Box;
-using broad_phase::BoxTree;
-using broad_phase::MovingBox;
 using broad_phase::Pair;
 
-/// The corners of the n-th element of a list: one vertex, an edge or a face.
-struct Vertices {
-  const std::vector<Index>& numbers;
-  std::size_t size() const noexcept { return numbers.size(); }
-  Index number(Index n) const noexcept { return numbers[n]; }
-  std::array<Index, 1> corners(Index n) const noexcept { return {numbers[n]}; }
-};
+Box bounds_of(const MovingVertex& vertex, const Box*) noexcept {
+  const Vec3& x = vertex.start;
+  return {{x.x, x.y, x.z}, {x.x, x.y, x.z}};
+}
+BoundsByAxis bounds_of(const MovingVertex& vertex, const BoundsByAxis*) noexcept {
+  using At = BoundsByAxis::AtBothEnds;
+  const Vec3 &a = vertex.start, &b = vertex.end;
+  const At x{a.x, b.x}, y{a.y, b.y}, z{a.z, b.z};
+  return {{x, y, z}, {x, y, z}};
+}
 
-template <std::size_t N>
-struct All {
-  const std::vector<std::array<Index, N>>& elements;
-  std::size_t size() const noexcept { return elements.size(); }
-  Index number(Index n) const noexcept { return n; }
-  const std::array<Index, N>& corners(Index n) const noexcept { return elements[n]; }
-};
-
-struct Wires {
-  const Mesh::Impl& mesh;
-  std::size_t size() const noexcept { return mesh.wires.size(); }
-  Index number(Index n) const noexcept { return mesh.wires[n]; }
-  const std::array<Index, 2>& corners(Index n) const noexcept { return mesh.edges[mesh.wires[n]]; }
-};
-
-/// Boxes of elements in motion.
+/// The boxes of elements: at rest, or moving ones.
+template <class Bounds>
 class Boxes {
  public:
-  Boxes(const Motion& motion, const Reach& reach) : motion_(motion), reach_(reach) {}
+  Boxes(const Motion& motion, const Reach& reach)
+      : motion_(motion),
+        reach_(reach),
+        reaches_(reach.same > 0 || !reach.of_vertices.empty() || !reach.of_ways.empty()) {}
 
   template <std::size_t N>
-  MovingBox around(const std::array<Index, N>& corners) const noexcept {
-    MovingBox box = broad_phase::empty_moving_box();
+  Bounds around(const std::array<Index, N>& corners) const noexcept {
+    Bounds box = at(corners[0]);
+    for (std::size_t i = 1; i < N; ++i) broad_phase::extend_by(box, at(corners[i]));
+    if (!reaches_) return box;
     double reach = reach_.same, more = 0;
     for (const Index corner : corners) {
-      const MovingVertex& vertex = motion_[corner];
-      broad_phase::extend(box.start, vertex.start);
-      if (!reach_.at_rest) broad_phase::extend(box.end, vertex.end);
       if (!reach_.of_vertices.empty()) reach = std::max(reach, reach_.of_vertices[corner]);
       if (!reach_.of_ways.empty()) more = std::max(more, reach_.of_ways[corner]);
     }
-    reach += more;
-    if (reach_.at_rest) box.end = box.start;
-    broad_phase::grow(box.start, reach);
-    broad_phase::grow(box.end, reach);
+    broad_phase::grow(box, reach + more);
     return box;
   }
 
-  template <class List>
-  BoxTree tree(const List& list, int threads) const {
-    return BoxTree(
-        list.size(), [&](Index n) { return around(list.corners(n)); }, threads);
+ private:
+  Bounds at(Index vertex) const noexcept { return bounds_of(motion_[vertex], static_cast<const Bounds*>(nullptr)); }
+
+  const Motion& motion_;
+  const Reach& reach_;
+  bool reaches_;
+};
+
+/// Which pairs of elements are compared in motion.
+struct InMotion {
+  using Bounds = BoundsByAxis;
+  static constexpr bool kFolds = false;           // whether elements that share a vertex are compared,
+  static constexpr bool kEdgesWithFaces = false;  // and edges with faces
+
+  const Mesh::Impl& mesh;
+
+  bool edges_with_edges(const Representative&, const Representative&) const noexcept { return mesh.dimension == 3; }
+
+  /// Whether the vertices that `a` stands for are compared with `b`, a face or an edge; of an edge in no face only loose
+  /// points and those beside it, which `allow` tells.
+  bool vertices_with(const Representative& a, const Representative& b) const noexcept {
+    return mesh.dimension == 2 || b.sort == MeshElement::face || a.sort == MeshElement::vertex || !mesh.joined.empty();
+  }
+
+  template <std::size_t N, std::size_t M>
+  bool allow(const Pair& pair, const std::array<Index, N>& a, const std::array<Index, M>& b) const noexcept {
+    constexpr Kind kKind = N == 2   ? Kind::edge_edge
+                           : M == 3 ? Kind::vertex_face
+                           : M == 2 ? Kind::point_edge
+                                    : Kind::point_point;
+    if constexpr (kKind == Kind::point_edge) {
+      if (mesh.dimension == 3 && !is_in(mesh.points, a[0]) && !is_beside(mesh, a[0], b)) return false;
+    }
+    return rules_allow(mesh, {kKind, pair[0], pair[1]}, a, b);
+  }
+};
+
+/// Which pairs of elements are compared at rest.
+struct AtRest {
+  using Bounds = Box;
+  static constexpr bool kFolds = true;
+  static constexpr bool kEdgesWithFaces = true;
+
+  const Mesh::Impl& mesh;
+  const Motion& motion;
+
+  bool edges_with_edges(const Representative& a, const Representative& b) const noexcept {
+    return a.sort == MeshElement::edge || b.sort == MeshElement::edge;
+  }
+  bool vertices_with(const Representative& a, const Representative&) const noexcept {
+    return a.sort == MeshElement::vertex;
+  }
+
+  template <std::size_t N, std::size_t M>
+  bool allow(const Pair&, const std::array<Index, N>& a, const std::array<Index, M>& b) const noexcept {
+    return may_intersect(mesh, motion, a, b);
+  }
+};
+
+/// Takes pairs of representatives, and hands out the pairs of elements that these stand for: those that the rule has,
+/// and whose boxes meet.
+template <class Rule>
+class ElementPairs {
+ public:
+  using Bounds = typename Rule::Bounds;
+
+  ElementPairs(const Mesh::Impl& mesh, const Rule& rule, const Boxes<Bounds>& boxes, const ElementConsumer& take)
+      : mesh_(mesh), rule_(rule), boxes_(boxes), take_(take) {
+    others_of_.fill(StandsFor::kNone);
+  }
+
+  /// Of pairs that meet by the time `until`.
+  void add(const Pair& pair, double until) {
+    if (until < 0) return;
+    until_ = until;
+    if (pair[0] != first_of_) look_at(first_of_ = pair[0], first_);
+    const Seen &a = first_, &b = other(pair[1]);
+    if (rule_.edges_with_edges(a.representative, b.representative)) {
+      for (std::size_t i = 0; i < a.edge_count; ++i) {
+        for (std::size_t j = 0; j < b.edge_count; ++j) compare(a.edges[i], b.edges[j]);
+      }
+    }
+    compare_elements_of(a, b);
+    compare_elements_of(b, a);
+    if (a.representative.sort == MeshElement::vertex && b.representative.sort == MeshElement::vertex) {
+      compare(a.vertices[0], b.vertices[0]);
+    }
+  }
+
+  void hand_out_rest() {
+    hand_out<1, 1>();
+    hand_out<1, 2>();
+    hand_out<1, 3>();
+    hand_out<2, 2>();
+    hand_out<2, 3>();
   }
 
  private:
-  const Motion& motion_;
-  const Reach& reach_;
+  template <std::size_t N>
+  struct Element {
+    Index number;
+    std::array<Index, N> corners;
+    Bounds box;
+  };
+
+  /// A representative, and what it stands for.
+  struct Seen {
+    Representative representative;
+    std::size_t vertex_count, edge_count;
+    std::array<Element<1>, 3> vertices;
+    std::array<Element<2>, 3> edges;  // an edge that is a representative is the first one
+    Element<3> face;
+  };
+
+  /// The boxes of a leaf come again and again, with one box after another.
+  const Seen& other(Index n) noexcept {
+    const auto found = std::find(others_of_.begin(), others_of_.end(), n);
+    if (found != others_of_.end()) return others_[static_cast<std::size_t>(found - others_of_.begin())];
+    const std::size_t at = next_other_++ % others_.size();
+    look_at(others_of_[at] = n, others_[at]);
+    return others_[at];
+  }
+
+  void look_at(Index n, Seen& seen) const noexcept {
+    const Representative one = seen.representative = representative(mesh_, n);
+    const StandsFor& stands_for = mesh_.stands_for[n];
+    const auto element = [&](Index number, const auto& corners) {
+      return Element<std::tuple_size_v<std::decay_t<decltype(corners)>>>{number, corners, boxes_.around(corners)};
+    };
+    seen.vertex_count = seen.edge_count = 0;
+    for (std::size_t i = 0; i < one.count(); ++i) {
+      const Index corner = one.corners[i], next = one.corners[(i + 1) % 3], edge = stands_for.edges[i];
+      if ((stands_for.vertices >> i & 1) != 0) seen.vertices[seen.vertex_count++] = element(corner, std::array{corner});
+      if (edge != StandsFor::kNone) seen.edges[seen.edge_count++] = element(edge, std::array{corner, next});
+    }
+    if (one.sort == MeshElement::face) seen.face = element(one.number, one.corners);
+  }
+
+  /// The pairs of an element that `a` stands for with `b` itself.
+  void compare_elements_of(const Seen& a, const Seen& b) {
+    if (b.representative.sort == MeshElement::vertex) return;
+    const bool is_face = b.representative.sort == MeshElement::face;
+    const std::size_t vertices = rule_.vertices_with(a.representative, b.representative) ? a.vertex_count : 0;
+    for (std::size_t i = 0; i < vertices; ++i) {
+      is_face ? compare(a.vertices[i], b.face) : compare(a.vertices[i], b.edges[0]);
+    }
+    if constexpr (Rule::kEdgesWithFaces) {
+      for (std::size_t i = 0; is_face && i < a.edge_count; ++i) compare(a.edges[i], b.face);
+    }
+  }
+
+  template <std::size_t N, std::size_t M>
+  void compare(const Element<N>& a, const Element<M>& b) {
+    const bool are_neighbours = share_vertex(a.corners, b.corners);
+    if (are_neighbours ? !Rule::kFolds : !meet(a.box, b.box, until_)) return;
+    const Pair pair = N == M && b.number < a.number ? Pair{b.number, a.number} : Pair{a.number, b.number};
+    if (!rule_.allow(pair, a.corners, b.corners)) return;
+    auto& [pairs, count] = lists_[list_of<N, M>()];
+    pairs[count++] = pair;
+    if (count == pairs.size()) hand_out<N, M>();
+  }
+
+  template <std::size_t N, std::size_t M>
+  static constexpr std::size_t list_of() noexcept {
+    return N == 1 ? M - 1 : M + 1;
+  }
+
+  template <std::size_t N, std::size_t M>
+  void hand_out() {
+    auto& [pairs, count] = lists_[list_of<N, M>()];
+    if (count > 0) take_(static_cast<MeshElement>(N - 1), static_cast<MeshElement>(M - 1), pairs.data(), count);
+    count = 0;
+  }
+
+  struct List {
+    std::array<Pair, 256> pairs;
+    std::size_t count = 0;
+  };
+
+  const Mesh::Impl& mesh_;
+  const Rule& rule_;
+  const Boxes<Bounds>& boxes_;
+  const ElementConsumer& take_;
+  double until_ = 1;
+  Index first_of_ = StandsFor::kNone;
+  Seen first_;
+  std::array<Index, 8> others_of_;
+  std::array<Seen, 8> others_;
+  std::size_t next_other_ = 0;
+  std::array<List, 5> lists_;
 };
 
-/// Compares all boxes of a list with all of another, or with each other where `b` is null, and hands out the numbers of
-/// those elements that keep(i, j) takes, i and j being their places in the lists.
-template <class ListA, class ListB, class Keep>
-void compare(const Boxes& boxes, const ListA& a, const ListB* b, const broad_phase::PairSearch& search,
-             const Keep& keep, const broad_phase::PairBlockConsumer& take) {
-  const auto take_kept = [&](const Pair* pairs, std::size_t count) {
-    std::array<Pair, broad_phase::kPairBlock> kept;
-    std::size_t kept_count = 0;
-    for (std::size_t i = 0; i < count; ++i) {
-      const Index first = pairs[i][0], second = pairs[i][1];
-      if (!keep(first, second)) continue;
-      kept[kept_count++] = {a.number(first), b == nullptr ? a.number(second) : b->number(second)};
-    }
-    if (kept_count > 0) take(kept.data(), kept_count);
-  };
-  if (a.size() == 0 || (b != nullptr && b->size() == 0)) return;
-  const BoxTree tree = boxes.tree(a, search.threads);
-  if (b == nullptr) {
-    broad_phase::for_each_pair_block(tree, search, take_kept);
-  } else {
-    broad_phase::for_each_pair_block(tree, boxes.tree(*b, search.threads), search, take_kept);
-  }
+/// Hands out the pairs of elements of one mesh that the rule has and whose boxes meet.
+template <class Rule>
+void for_each_element_pair(const Mesh::Impl& mesh, const Motion& motion, const Reach& reach, const Rule& rule,
+                           const broad_phase::PairSearch& search, const ElementConsumer& take) {
+  using Bounds = typename Rule::Bounds;
+  const Boxes<Bounds> boxes(motion, reach);
+  const broad_phase::BoxOf<Bounds> box_of = [&](Index n) { return boxes.around(representative(mesh, n).corners); };
+  broad_phase::for_each_pair_block(mesh.stands_for.size(), box_of, search, [&](const Pair* pairs, std::size_t count) {
+    ElementPairs<Rule> elements(mesh, rule, boxes, take);
+    for (std::size_t i = 0; i < count; ++i) elements.add(pairs[i], broad_phase::until(search));
+    elements.hand_out_rest();
+  });
 }
 
-/// The same for pairs of a kind that may collide.
-template <class ListA, class ListB>
-void find(const Mesh::Impl& mesh, const Boxes& boxes, Kind kind, const ListA& a, const ListB* b,
-          const broad_phase::PairSearch& search, const CandidateConsumer& take) {
-  const auto keep = [&](Index i, Index j) {
-    if (b == nullptr) return rules_allow(mesh, {kind, a.number(i), a.number(j)}, a.corners(i), a.corners(j));
-    return rules_allow(mesh, {kind, a.number(i), b->number(j)}, a.corners(i), b->corners(j));
-  };
-  compare(boxes, a, b, search, keep, [&](const Pair* pairs, std::size_t count) { take(kind, pairs, count); });
-}
-
-/// The same for ends of wires, and the wires beside them.
-void find_beside(const Mesh::Impl& mesh, const Boxes& boxes, const Vertices& ends, const Wires& wires,
-                 const broad_phase::PairSearch& search, const CandidateConsumer& take) {
-  const auto keep = [&](Index i, Index j) {
-    const Index end = ends.number(i);
-    return is_beside(mesh, end, wires.corners(j)) && rules_allow(mesh, {Kind::point_edge, end, wires.number(j)});
-  };
-  compare(boxes, ends, &wires, search, keep,
-          [&](const Pair* pairs, std::size_t count) { take(Kind::point_edge, pairs, count); });
+Kind kind_of(MeshElement first, MeshElement second) noexcept {
+  if (first == MeshElement::edge) return Kind::edge_edge;
+  return second == MeshElement::face   ? Kind::vertex_face
+         : second == MeshElement::edge ? Kind::point_edge
+                                       : Kind::point_point;
 }
 
 constexpr double kRoomOfBounds = 0x1p-15;
@@ -180,57 +321,15 @@ Reach reach_of(const Mesh::Impl& mesh, const Motion& motion, double kept_fractio
 
 void for_each_candidate_block(const Mesh::Impl& mesh, const Motion& motion, const Reach& reach,
                               const broad_phase::PairSearch& search, const CandidateConsumer& take) {
-  const Boxes boxes(motion, reach);
-  const Vertices vertices{mesh.vertices}, points{mesh.points};
-  const All<2> edges{mesh.edges};
-  const All<3> faces{mesh.faces};
-  constexpr const Vertices* kThemselves = nullptr;
-  if (mesh.dimension == 3) {
-    find<All<2>, All<2>>(mesh, boxes, Kind::edge_edge, edges, nullptr, search, take);
-    find(mesh, boxes, Kind::vertex_face, vertices, &faces, search, take);
-    const Wires wires{mesh};
-    find(mesh, boxes, Kind::point_edge, points, &wires, search, take);
-    find_beside(mesh, boxes, Vertices{mesh.wire_ends}, wires, search, take);
-  } else {
-    find(mesh, boxes, Kind::point_edge, vertices, &edges, search, take);
-  }
-  find(mesh, boxes, Kind::point_point, points, kThemselves, search, take);
+  for_each_element_pair(mesh, motion, reach, InMotion{mesh}, search,
+                        [&](MeshElement first, MeshElement second, const Pair* pairs, std::size_t count) {
+                          take(kind_of(first, second), pairs, count);
+                        });
 }
 
-void for_each_resting_block(const Mesh::Impl& mesh, const Motion& motion, const RestingPass& pass, int threads,
-                            const broad_phase::PairBlockConsumer& take) {
-  Reach reach;
-  reach.at_rest = true;
-  const Boxes boxes(motion, reach);
-  broad_phase::PairSearch search;
-  search.threads = threads;
-  const Vertices points{mesh.points};
-  const All<2> edges{mesh.edges};
-  const All<3> faces{mesh.faces};
-  const Wires wires{mesh};
-  const auto run = [&](const auto& a, const auto& b) {
-    const auto keep = [&](Index i, Index j) { return may_intersect(mesh, motion, a.corners(i), b.corners(j)); };
-    compare(boxes, a, &b, search, keep, take);
-  };
-  const auto run_alone = [&](const auto& a) {
-    const auto keep = [&](Index i, Index j) { return may_intersect(mesh, motion, a.corners(i), a.corners(j)); };
-    compare<std::decay_t<decltype(a)>, std::decay_t<decltype(a)>>(boxes, a, nullptr, search, keep, take);
-  };
-  const auto run_first = [&](const auto& a) {
-    switch (pass.second) {
-      case MeshElement::vertex: return run(a, points);
-      case MeshElement::edge: return pass.only_wires_second ? run(a, wires) : run(a, edges);
-      case MeshElement::face: return run(a, faces);
-    }
-  };
-  const bool one_list = pass.first == pass.second && pass.only_wires_first == pass.only_wires_second;
-  if (pass.first == MeshElement::vertex) {
-    one_list ? run_alone(points) : run_first(points);
-  } else if (pass.only_wires_first) {
-    one_list ? run_alone(wires) : run_first(wires);
-  } else {
-    one_list ? run_alone(edges) : run_first(edges);
-  }
+void for_each_resting_block(const Mesh::Impl& mesh, const Motion& motion, const broad_phase::PairSearch& search,
+                            const ElementConsumer& take) {
+  for_each_element_pair(mesh, motion, {}, AtRest{mesh, motion}, search, take);
 }
 
 }  // namespace touchstone::mesh

@@ -25,7 +25,6 @@ struct Reach {
   /// Beyond that. The greatest of an element's vertices counts by itself: another one than in the list above may have
   /// it. Empty without.
   std::vector<double> of_ways;
-  bool at_rest = false;  ///< boxes around the positions at t = 0 alone, instead of moving ones
 };
 
 /// The reach that finds every pair whose distance falls to its separation or below.
@@ -45,15 +44,14 @@ using CandidateConsumer = std::function<void(Kind kind, const broad_phase::Pair*
 void for_each_candidate_block(const Mesh::Impl& mesh, const Motion& motion, const Reach& reach,
                               const broad_phase::PairSearch& search, const CandidateConsumer& take);
 
-/// Two sorts of elements, at rest, whose boxes touch: edges and faces, ...
-struct RestingPass {
-  MeshElement first, second;
-  bool only_wires_first = false;   ///< of edges in the first place, those in no face
-  bool only_wires_second = false;  ///< the same in the second place
-};
+/// Takes at most broad_phase::kPairBlock pairs of elements of two sorts: the first one comes no later in MeshElement.
+/// Several threads may call it at the same time.
+using ElementConsumer =
+    std::function<void(MeshElement first, MeshElement second, const broad_phase::Pair* pairs, std::size_t count)>;
 
-/// Hands out, once, each pair of elements whose boxes at t = 0 touch, and that may intersect.
-void for_each_resting_block(const Mesh::Impl& mesh, const Motion& motion, const RestingPass& pass, int threads,
-                            const broad_phase::PairBlockConsumer& take);
+/// Hands out, once, each pair of elements that `intersections` compares, whose boxes at t = 0 touch, and that may
+/// intersect.
+void for_each_resting_block(const Mesh::Impl& mesh, const Motion& motion, const broad_phase::PairSearch& search,
+                            const ElementConsumer& take);
 
 }  // namespace touchstone::mesh

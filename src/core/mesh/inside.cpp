@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <array>
-#include <functional>
 #include <map>
 #include <mutex>
 #include <set>
@@ -24,8 +23,7 @@ namespace touchstone::mesh {
 namespace {
 
 using broad_phase::Box;
-using broad_phase::BoxTree;
-using broad_phase::MovingBox;
+using RestingTree = broad_phase::BoxTree<Box>;
 using numbers::Exact;
 using Point = ExactPoint;
 
@@ -57,14 +55,6 @@ bool is_within(const Box& inner, const Box& outer) noexcept {
   return true;
 }
 
-BoxTree tree_of(const InsideSearch& search, std::size_t count, const std::function<Box(Index)>& box_of) {
-  const auto resting = [&](Index n) {
-    const Box box = box_of(n);
-    return MovingBox{box, box};
-  };
-  return BoxTree(count, resting, search.threads);
-}
-
 /// Calls found(inner, outer) for pieces that are asked about, each in the box around another piece of which is_outer is
 /// true. Several threads may call it at the same time.
 template <class IsOuter, class Found>
@@ -77,8 +67,11 @@ void for_each_nested_box(const InsideSearch& search, const Pieces& pieces, const
     if (is_outer(pieces[i])) outer.push_back(i);
   }
   if (outer.empty() || inner.size() < 2) return;
-  const BoxTree outers = tree_of(search, outer.size(), [&](Index n) { return pieces[outer[n]].box; });
-  const BoxTree inners = tree_of(search, inner.size(), [&](Index n) { return pieces[inner[n]].box; });
+  const auto tree_of = [&](const std::vector<Index>& some) {
+    const auto box_of = [&](Index n) { return pieces[some[n]].box; };
+    return RestingTree(some.size(), box_of, search.threads);
+  };
+  const RestingTree outers = tree_of(outer), inners = tree_of(inner);
   broad_phase::for_each_pair_block(outers, inners, {search.threads},
                                    [&](const broad_phase::Pair* pairs, std::size_t count) {
                                      check_stop(search.stop);
@@ -147,12 +140,14 @@ void find_winding_numbers(const InsideSearch& search, const Pieces& pieces, std:
     const auto& face = search.mesh.faces[faces[n]];
     return std::array{search.motion[face[0]].start, search.motion[face[1]].start, search.motion[face[2]].start};
   };
-  const BoxTree ray_boxes = tree_of(search, rays.size(), [&](Index n) { return rays[n].ray.box(rays[n].last); });
-  const BoxTree face_boxes = tree_of(search, faces.size(), [&](Index n) {
+  const auto box_of_ray = [&](Index n) { return rays[n].ray.box(rays[n].last); };
+  const auto box_of_face = [&](Index n) {
     Box box = broad_phase::empty_box();
     for (const Vec3& corner : corners_of(n)) broad_phase::extend(box, corner);
     return box;
-  });
+  };
+  const RestingTree ray_boxes(rays.size(), box_of_ray, search.threads);
+  const RestingTree face_boxes(faces.size(), box_of_face, search.threads);
   std::mutex lock;
   broad_phase::for_each_pair_block(
       ray_boxes, face_boxes, {search.threads}, [&](const broad_phase::Pair* pairs, std::size_t count) {

@@ -35,11 +35,16 @@ Kind kind_of_query(MeshElement second) noexcept {
   return Kind::point_point;
 }
 
+/// Two sorts of elements.
+struct Sorts {
+  MeshElement first, second;
+};
+
 /// The list of element pairs in the rules counts for pairs that are one of its kinds.
-bool is_listed(const Mesh::Impl& mesh, const RestingPass& pass, const Pair& pair) noexcept {
+bool is_listed(const Mesh::Impl& mesh, const Sorts& sorts, const Pair& pair) noexcept {
   if (mesh.element_pairs.empty()) return false;
-  if (pass.first == MeshElement::vertex) return is_excluded(mesh, {kind_of_query(pass.second), pair[0], pair[1]});
-  return pass.second == MeshElement::edge && is_excluded(mesh, {Kind::edge_edge, pair[0], pair[1]});
+  if (sorts.first == MeshElement::vertex) return is_excluded(mesh, {kind_of_query(sorts.second), pair[0], pair[1]});
+  return sorts.second == MeshElement::edge && is_excluded(mesh, {Kind::edge_edge, pair[0], pair[1]});
 }
 
 /// Two elements, of which an edge is traced from `from` to `to`: to a vertex that both have, where there is one.
@@ -57,14 +62,12 @@ void trace(Asked& asked, const std::array<Index, 2>& edge, const std::array<Inde
   asked.to = edge[backwards ? 0 : 1];
 }
 
-Asked asked_of(const Mesh::Impl& mesh, const RestingPass& pass, const Pair& pair) noexcept {
+Asked asked_of(const Mesh::Impl& mesh, const Sorts& sorts, const Pair& pair) noexcept {
   Asked asked;
   asked.pair = pair;
-  if (pass.first != MeshElement::edge) {
+  if (sorts.first != MeshElement::edge) {
     asked.from = asked.to = pair[0];
-  } else if (pass.second == MeshElement::edge) {
-    // A wire may come first, whatever its number is.
-    std::sort(asked.pair.begin(), asked.pair.end());
+  } else if (sorts.second == MeshElement::edge) {
     trace(asked, mesh.edges[asked.pair[0]], mesh.edges[asked.pair[1]]);
   } else {
     trace(asked, mesh.edges[pair[0]], mesh.faces[pair[1]]);
@@ -72,13 +75,12 @@ Asked asked_of(const Mesh::Impl& mesh, const RestingPass& pass, const Pair& pair
   return asked;
 }
 
-void fill(ColumnBlock& columns, const Mesh::Impl& mesh, const Motion& motion, const RestingPass& pass,
-          const Asked& asked) {
+void fill(ColumnBlock& columns, const Mesh::Impl& mesh, const Motion& motion, const Sorts& sorts, const Asked& asked) {
   const auto at = [&](Index vertex) -> const Vec3& { return motion[vertex].start; };
   columns.set(0, at(asked.from), at(asked.to));
   const auto rest = [&](std::size_t c, Index vertex) { columns.set(c, at(vertex), at(vertex)); };
   const Index second = asked.pair[1];
-  switch (pass.second) {
+  switch (sorts.second) {
     case MeshElement::vertex: rest(1, second); break;
     case MeshElement::edge:
       for (std::size_t i = 0; i < 2; ++i) rest(1 + i, mesh.edges[second][i]);
@@ -92,17 +94,17 @@ void fill(ColumnBlock& columns, const Mesh::Impl& mesh, const Motion& motion, co
 
 /// The intersection that the answer shows, or nothing. An edge that is traced to a shared vertex touches the other
 /// element there, at the time 1: a first time before that is a point that is not shared.
-std::optional<Intersection> from_answer(const Mesh::Impl& mesh, const Motion& motion, const RestingPass& pass,
+std::optional<Intersection> from_answer(const Mesh::Impl& mesh, const Motion& motion, const Sorts& sorts,
                                         const Asked& asked, const Answer& answer) {
   if (!answer.contact) return std::nullopt;
   Intersection found;
-  found.first_element = pass.first;
+  found.first_element = sorts.first;
   found.first = asked.pair[0];
-  found.second_element = pass.second;
+  found.second_element = sorts.second;
   found.second = asked.pair[1];
   found.weights_second = answer.weights_b;
   found.weights_first = {1, 0, 0};
-  if (pass.first != MeshElement::edge) return found;
+  if (sorts.first != MeshElement::edge) return found;
   const bool forwards = asked.from == mesh.edges[found.first][0];
   found.weights_first[forwards ? 0 : 1] = 1 - answer.toi;
   found.weights_first[forwards ? 1 : 0] = answer.toi;
@@ -114,27 +116,11 @@ std::optional<Intersection> from_answer(const Mesh::Impl& mesh, const Motion& mo
   const bool inside_edge = answer.toi_upper > 0 && answer.toi < 1;
   // The plane's side is a linear function of the fraction, so a crossing has the ends on both sides. Of two edges,
   // lines that are not parallel share a single point; on parallel ones the first common point is an end of an edge.
-  const bool inside_second = pass.second == MeshElement::face
+  const bool inside_second = sorts.second == MeshElement::face
                                  ? answer.feature_b == Feature::f && answer.nature == Nature::crossing
                                  : answer.feature_b == Feature::e && answer.nature == Nature::isolated;
   if (inside_edge && inside_second) found.sort = IntersectionSort::pierces;
   return found;
-}
-
-std::vector<RestingPass> passes_of(const Mesh::Impl& mesh) {
-  using E = MeshElement;
-  if (mesh.dimension == 2) return {{E::vertex, E::vertex}, {E::vertex, E::edge}, {E::edge, E::edge}};
-  return {{E::vertex, E::vertex},
-          {E::vertex, E::edge, false, true},
-          {E::vertex, E::face},
-          {E::edge, E::edge, true, false},
-          {E::edge, E::face}};
-}
-
-/// Of two wires, each pair comes in both orders when wires are compared with all edges.
-bool comes_twice(const Mesh::Impl& mesh, const RestingPass& pass, const Pair& pair) noexcept {
-  return pass.only_wires_first && !pass.only_wires_second && pair[1] < pair[0] &&
-         std::binary_search(mesh.wires.begin(), mesh.wires.end(), pair[1]);
 }
 
 }  // namespace
@@ -143,30 +129,30 @@ std::vector<Intersection> find_intersections(const Mesh::Impl& mesh, const Motio
                                              const std::atomic<bool>* stop) {
   std::vector<Intersection> all;
   std::mutex lock;
-  for (const RestingPass& pass : passes_of(mesh)) {
-    for_each_resting_block(mesh, motion, pass, threads, [&](const Pair* pairs, std::size_t count) {
-      check_stop(stop);
-      ColumnBlock& columns = ColumnBlock::of_thread(kind_of_query(pass.second));
-      std::array<Asked, ColumnBlock::kQueries> asked;
-      const auto ask = [&] {
-        columns.solve(1, Wanted::all, Metric::euclidean, nullptr);
-        for (std::size_t i = 0; i < columns.size(); ++i) {
-          const auto found = from_answer(mesh, motion, pass, asked[i], columns.answers()[i]);
-          if (!found) continue;
-          const std::lock_guard<std::mutex> guard(lock);
-          all.push_back(*found);
-        }
-        columns.clear();
-      };
-      for (std::size_t i = 0; i < count; ++i) {
-        if (comes_twice(mesh, pass, pairs[i]) || is_listed(mesh, pass, pairs[i])) continue;
-        const Asked& next = asked[columns.size()] = asked_of(mesh, pass, pairs[i]);
-        fill(columns, mesh, motion, pass, next);
-        if (columns.is_full()) ask();
+  const auto take = [&](MeshElement first, MeshElement second, const Pair* pairs, std::size_t count) {
+    check_stop(stop);
+    const Sorts sorts{first, second};
+    ColumnBlock& columns = ColumnBlock::of_thread(kind_of_query(second));
+    std::array<Asked, ColumnBlock::kQueries> asked;
+    const auto ask = [&] {
+      columns.solve(1, Wanted::all, Metric::euclidean, nullptr);
+      for (std::size_t i = 0; i < columns.size(); ++i) {
+        const auto found = from_answer(mesh, motion, sorts, asked[i], columns.answers()[i]);
+        if (!found) continue;
+        const std::lock_guard<std::mutex> guard(lock);
+        all.push_back(*found);
       }
-      ask();
-    });
-  }
+      columns.clear();
+    };
+    for (std::size_t i = 0; i < count; ++i) {
+      if (is_listed(mesh, sorts, pairs[i])) continue;
+      const Asked& next = asked[columns.size()] = asked_of(mesh, sorts, pairs[i]);
+      fill(columns, mesh, motion, sorts, next);
+      if (columns.is_full()) ask();
+    }
+    ask();
+  };
+  for_each_resting_block(mesh, motion, {threads}, take);
   add_inside(mesh, motion, threads, stop, all);
   std::sort(all.begin(), all.end(), [](const Intersection& a, const Intersection& b) {
     return std::tie(a.first_element, a.second_element, a.first, a.second) <

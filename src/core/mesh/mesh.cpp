@@ -87,56 +87,85 @@ using Edge = std::array<Index, 2>;
 
 Edge in_order(Edge edge) noexcept { return edge[0] < edge[1] ? edge : Edge{edge[1], edge[0]}; }
 
-/// The edges of the faces, each once, in ascending order.
-std::vector<Edge> edges_of(const std::vector<std::array<Index, 3>>& faces) {
-  std::vector<Edge> edges;
-  edges.reserve(3 * faces.size());
-  for (const auto& face : faces) {
-    for (std::size_t i = 0; i < 3; ++i) edges.push_back(in_order({face[i], face[(i + 1) % 3]}));
+/// An edge of a face.
+struct Side {
+  Edge edge;
+  Index face;
+  bool operator<(const Side& other) const { return edge != other.edge ? edge < other.edge : face < other.face; }
+};
+
+/// The edges of the faces, each once, in ascending order: as a side of the least face that has it.
+std::vector<Side> sides_of(const std::vector<std::array<Index, 3>>& faces) {
+  std::vector<Side> sides;
+  sides.reserve(3 * faces.size());
+  for (std::size_t f = 0; f < faces.size(); ++f) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      sides.push_back({in_order({faces[f][i], faces[f][(i + 1) % 3]}), static_cast<Index>(f)});
+    }
   }
-  std::sort(edges.begin(), edges.end());
-  edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
-  return edges;
+  std::sort(sides.begin(), sides.end());
+  sides.erase(std::unique(sides.begin(), sides.end(), [](const Side& a, const Side& b) { return a.edge == b.edge; }),
+              sides.end());
+  return sides;
 }
 
-/// Adds the edges of the faces to those given, and lists the edges that are in no face.
+/// Adds the edges of the faces to those given, lists the edges that are in no face, and finds which edges the faces
+/// stand for.
 void complete_edges(Mesh::Impl& mesh) {
-  const std::vector<Edge> of_faces = edges_of(mesh.faces);
-  std::vector<char> given(of_faces.size(), 0);
+  std::vector<Side> sides = sides_of(mesh.faces);
+  constexpr Index kDone = StandsFor::kNone;
+  mesh.stands_for.resize(mesh.faces.size());
+  const auto number = [&](Side& side, std::size_t edge) {
+    const auto& face = mesh.faces[side.face];
+    std::size_t i = 0;
+    while (in_order({face[i], face[(i + 1) % 3]}) != side.edge) ++i;
+    mesh.stands_for[side.face].edges[i] = static_cast<Index>(edge);
+    side.face = kDone;
+  };
   for (std::size_t e = 0; e < mesh.edges.size(); ++e) {
     const Edge edge = in_order(mesh.edges[e]);
-    const auto found = std::lower_bound(of_faces.begin(), of_faces.end(), edge);
-    if (found != of_faces.end() && *found == edge) {
-      given[static_cast<std::size_t>(found - of_faces.begin())] = 1;
+    const auto found = std::lower_bound(sides.begin(), sides.end(), edge,
+                                        [](const Side& side, const Edge& other) { return side.edge < other; });
+    if (found != sides.end() && found->edge == edge) {
+      number(*found, e);
     } else if (mesh.dimension == 3) {
       mesh.wires.push_back(static_cast<Index>(e));
     }
   }
-  const auto missing = static_cast<std::size_t>(std::count(given.begin(), given.end(), char{0}));
-  mesh.edges.reserve(mesh.edges.size() + missing);
-  for (std::size_t i = 0; i < of_faces.size(); ++i) {
-    if (given[i] == 0) mesh.edges.push_back(of_faces[i]);
+  const auto missing = std::count_if(sides.begin(), sides.end(), [](const Side& side) { return side.face != kDone; });
+  mesh.edges.reserve(mesh.edges.size() + static_cast<std::size_t>(missing));
+  for (Side& side : sides) {
+    if (side.face == kDone) continue;
+    mesh.edges.push_back(side.edge);
+    number(side, mesh.edges.size() - 1);
   }
   mesh.edges.shrink_to_fit();
+  mesh.wires.shrink_to_fit();
 }
 
-/// Lists the vertices from which a wire leads to a vertex of another wire.
-void find_wire_ends(Mesh::Impl& mesh) {
-  if (mesh.wires.size() < 2) return;
-  std::vector<char> wires_at(mesh.vertex_count, 0);
-  for (const Index wire : mesh.wires) {
-    mesh.joined.push_back(mesh::unordered(mesh.edges[wire][0], mesh.edges[wire][1]));
-    for (const Index end : mesh.edges[wire]) wires_at[end] = wires_at[end] == 0 ? 1 : 2;  // 2: several
-  }
-  std::sort(mesh.joined.begin(), mesh.joined.end());
-  for (const Index wire : mesh.wires) {
-    const Edge& ends = mesh.edges[wire];
-    for (std::size_t i = 0; i < 2; ++i) {
-      if (wires_at[ends[1 - i]] == 2) mesh.wire_ends.push_back(ends[i]);
+/// Completes the representatives: the faces know their edges already.
+void find_representatives(Mesh::Impl& mesh) {
+  mesh.stands_for.reserve(mesh::representative_count(mesh));  // or it may take twice as much
+  mesh.stands_for.resize(mesh::representative_count(mesh));
+  std::vector<char> seen(mesh.vertex_count, 0);
+  for (Index n = 0; n < mesh.stands_for.size(); ++n) {
+    const mesh::Representative representative = mesh::representative(mesh, n);
+    StandsFor& stands_for = mesh.stands_for[n];
+    if (representative.sort == MeshElement::edge) stands_for.edges[0] = representative.number;
+    for (std::size_t i = 0; i < representative.count(); ++i) {
+      if (std::exchange(seen[representative.corners[i]], 1) == 0) {
+        stands_for.vertices |= static_cast<std::uint8_t>(1u << i);
+      }
     }
   }
-  std::sort(mesh.wire_ends.begin(), mesh.wire_ends.end());
-  mesh.wire_ends.erase(std::unique(mesh.wire_ends.begin(), mesh.wire_ends.end()), mesh.wire_ends.end());
+}
+
+/// Lists the pairs of vertices that a wire joins. One wire alone is beside no other.
+void find_joined(Mesh::Impl& mesh) {
+  if (mesh.wires.size() < 2) return;
+  mesh.joined.reserve(mesh.wires.size());
+  for (const Index wire : mesh.wires) mesh.joined.push_back(mesh::unordered(mesh.edges[wire][0], mesh.edges[wire][1]));
+  std::sort(mesh.joined.begin(), mesh.joined.end());
 }
 
 void find_points(Mesh::Impl& mesh, const std::optional<std::vector<Index>>& given) {
@@ -168,6 +197,7 @@ void find_points(Mesh::Impl& mesh, const std::optional<std::vector<Index>>& give
       if (is_point[v] != 0) mesh.points.push_back(static_cast<Index>(v));
     }
   }
+  mesh.points.shrink_to_fit();
   std::size_t in_edges = 0;
   for (const Index edge : edge_of) in_edges += edge != kNone ? 1 : 0;
   mesh.vertices.reserve(in_edges + mesh.points.size());
@@ -289,7 +319,9 @@ Mesh::Mesh(MeshElements elements) {
   }
   for (const auto& [name, count] :
        {std::pair{"vertices", elements.vertex_count}, std::pair{"faces", elements.faces.size()},
-        std::pair{"edges", elements.edges.size() + 3 * elements.faces.size()}}) {
+        std::pair{"edges", elements.edges.size() + 3 * elements.faces.size()},
+        std::pair{"faces, edges and vertices in all",
+                  elements.faces.size() + elements.edges.size() + elements.vertex_count}}) {
     if (count < kMost) continue;
     throw InvalidMesh("there are " + text(count) + " " + name + "; there must be fewer than " + text(kMost));
   }
@@ -302,8 +334,9 @@ Mesh::Mesh(MeshElements elements) {
   check_duplicates("face", impl->faces);
   check_duplicates("edge", impl->edges);
   complete_edges(*impl);
-  find_wire_ends(*impl);
+  find_joined(*impl);
   find_points(*impl, elements.points);
+  find_representatives(*impl);
   impl->separation = elements.separation;
   impl->radii = std::move(elements.radii);
   check_radii(*impl);

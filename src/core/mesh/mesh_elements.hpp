@@ -6,6 +6,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -16,6 +17,13 @@
 namespace touchstone {
 inline namespace TOUCHSTONE_ABI {
 
+/// The elements that another one, a *representative*, stands for where boxes are compared.
+struct StandsFor {
+  static constexpr MeshIndex kNone = std::numeric_limits<MeshIndex>::max();
+  std::array<MeshIndex, 3> edges{kNone, kNone, kNone};  ///< edge i leads from its corner i to the next one
+  std::uint8_t vertices = 0;                            ///< bit i: its corner i
+};
+
 struct Mesh::Impl {
   std::size_t vertex_count = 0;
   int dimension = 3;
@@ -24,8 +32,13 @@ struct Mesh::Impl {
   std::vector<MeshIndex> points;      // in ascending order, as the next two
   std::vector<MeshIndex> vertices;    // those in an edge, and the loose points
   std::vector<MeshIndex> wires;       // the edges that are in no face; empty in two dimensions, where no one asks
-  std::vector<MeshIndex> wire_ends;   // the vertices from which a wire leads to another wire
   std::vector<std::uint64_t> joined;  // the corners of each wire, as a pair of the rules
+
+  /// The representatives: first the faces, then the edges that are in no face, then the loose points. Each stands for
+  /// itself, and for those of its edges and vertices that are in none before it. So two elements are near each other
+  /// only where their representatives are (Curtis, Tamstorf, Manocha: Fast collision detection for deformable models
+  /// using representative-triangles, 2008).
+  std::vector<StandsFor> stands_for;
 
   Separation separation;
   std::vector<double> radii;
@@ -46,6 +59,33 @@ struct Mesh::Impl {
 namespace touchstone::mesh {
 
 using Index = MeshIndex;
+
+/// A face, an edge that is in no face, or in the plane any edge, or a loose point.
+struct Representative {
+  MeshElement sort;
+  Index number;  ///< of the face, edge or vertex
+  std::array<Index, 3> corners;
+  constexpr std::size_t count() const noexcept { return static_cast<std::size_t>(sort) + 1; }  ///< of its corners
+};
+
+inline std::size_t representative_count(const Mesh::Impl& mesh) noexcept {
+  return mesh.faces.size() + (mesh.dimension == 3 ? mesh.wires.size() : mesh.edges.size()) + mesh.points.size();
+}
+
+/// The n-th representative.
+inline Representative representative(const Mesh::Impl& mesh, Index n) noexcept {
+  if (n < mesh.faces.size()) return {MeshElement::face, n, mesh.faces[n]};
+  n -= static_cast<Index>(mesh.faces.size());
+  const bool in_space = mesh.dimension == 3;
+  const auto edges = static_cast<Index>(in_space ? mesh.wires.size() : mesh.edges.size());
+  if (n < edges) {
+    const Index number = in_space ? mesh.wires[n] : n;
+    const auto& edge = mesh.edges[number];
+    return {MeshElement::edge, number, {edge[0], edge[1], edge[1]}};
+  }
+  const Index point = mesh.points[n - edges];
+  return {MeshElement::vertex, point, {point, point, point}};
+}
 
 inline std::uint64_t unordered(Index a, Index b) noexcept {
   return std::uint64_t{std::min(a, b)} << 32 | std::max(a, b);
@@ -106,10 +146,9 @@ inline bool is_excluded(const Mesh::Impl& mesh, const MeshPair& pair) noexcept {
   return std::binary_search(mesh.element_pairs.begin(), mesh.element_pairs.end(), in_order(pair));
 }
 
-/// Whether two elements of a pair, with these corners, share no vertex, and no rule excludes them.
+/// Whether no rule excludes two elements of a pair, with these corners, that share no vertex.
 template <class A, class B>
 bool rules_allow(const Mesh::Impl& mesh, const MeshPair& pair, const A& a, const B& b) noexcept {
-  if (share_vertex(a, b)) return false;
   return !mesh.has_rules() || (corners_may_collide(mesh, a, b) && !is_excluded(mesh, pair));
 }
 
@@ -123,7 +162,8 @@ inline bool rules_allow(const Mesh::Impl& mesh, const MeshPair& pair) noexcept {
   const auto corners = corners_of(mesh, pair);
   const std::span all(corners.data(), corner_count(pair.kind));
   const std::size_t of_first = geometry::corners_of_first(pair.kind);
-  return rules_allow(mesh, pair, all.first(of_first), all.subspan(of_first));
+  const auto first = all.first(of_first), second = all.subspan(of_first);
+  return !share_vertex(first, second) && rules_allow(mesh, pair, first, second);
 }
 
 }  // namespace touchstone::mesh

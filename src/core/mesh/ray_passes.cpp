@@ -21,9 +21,8 @@ int side_beside(const Point& a, const Point& b, const Point& p) {
 broad_phase::Box Ray::box(double last) const noexcept {
   // Each half is exact, or is wrong by less than half the least double; so the rounded sum is next to the middle.
   const Vec3 middle{a.x / 2 + b.x / 2, a.y / 2 + b.y / 2, a.z / 2 + b.z / 2};
-  using broad_phase::next_above, broad_phase::next_below;
-  return {{next_below(middle.x), next_below(middle.y), next_below(middle.z)},
-          {last, next_above(middle.y), next_above(middle.z)}};
+  using broad_phase::lowered;
+  return {{lowered(middle.x), lowered(middle.y), lowered(middle.z)}, {last, -lowered(-middle.y), -lowered(-middle.z)}};
 }
 
 int passes(const Ray& ray, const std::array<Vec3, 3>& triangle) {
