@@ -341,6 +341,16 @@ struct touchstone_intersection {
 int touchstone_mesh_intersections(const touchstone_mesh* mesh, const double* x, size_t value_count,
                                   const struct touchstone_options* options, touchstone_intersections** intersections);
 
+/** Whether a mesh intersects itself, exactly: whether touchstone_mesh_intersections finds any. It ends at the first one.
+ *  @param mesh         the mesh
+ *  @param x            the positions, 2 or 3 doubles for each vertex, as the mesh has dimensions
+ *  @param value_count  the number of doubles in x
+ *  @param options      the options, or null
+ *  @param intersects   becomes 1 or 0
+ *  @return one of touchstone_status_code */
+int touchstone_mesh_intersects(const touchstone_mesh* mesh, const double* x, size_t value_count,
+                               const struct touchstone_options* options, int* intersects);
+
 /** The number of intersections in a list; 0 for a null pointer. */
 size_t touchstone_intersections_count(const touchstone_intersections* intersections);
 

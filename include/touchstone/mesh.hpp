@@ -356,6 +356,10 @@ Query query_of(const Mesh& mesh, const MeshPair& pair, const Positions& x0, cons
 /// @throws InvalidQuery  as first_contact
 std::vector<Intersection> intersections(const Mesh& mesh, const Positions& x, const MeshOptions& options = {});
 
+/// Whether `intersections` finds any. It ends at the first one that it meets.
+/// @throws InvalidQuery  as first_contact
+bool intersects(const Mesh& mesh, const Positions& x, const MeshOptions& options = {});
+
 /// How a step was shortened.
 enum class StepOutcome : std::uint8_t {
   whole,      ///< the whole step is free: the length is 1, and the positions are x1, bit for bit, or rounded to float32

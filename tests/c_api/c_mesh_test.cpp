@@ -118,6 +118,11 @@ TEST_CASE("a mesh answers as the one of C++") {
     CHECK(in_place == step.positions);
 
     const auto expected_intersections = touchstone::intersections(mesh, x1);
+    int intersects = -1;
+    REQUIRE(touchstone_mesh_intersects(handle, given.x0.data(), 18, nullptr, &intersects) == TOUCHSTONE_OK);
+    CHECK(intersects == (touchstone::intersects(mesh, x0) ? 1 : 0));
+    REQUIRE(touchstone_mesh_intersects(handle, given.x1.data(), 18, nullptr, &intersects) == TOUCHSTONE_OK);
+    CHECK(intersects == 1);
     touchstone_intersections* found = nullptr;
     REQUIRE(touchstone_mesh_intersections(handle, given.x1.data(), 18, nullptr, &found) == TOUCHSTONE_OK);
     REQUIRE(touchstone_intersections_count(found) == expected_intersections.size());
@@ -214,6 +219,8 @@ TEST_CASE("the start of a step is asked about on request, and each sort of inter
   CHECK(touchstone_mesh_all_contacts(mesh, x.data(), x.data(), 18, &options, &contacts) == TOUCHSTONE_INVALID_QUERY);
   CHECK(message_has("check_start"));
   CHECK(touchstone_mesh_intersections(mesh, x.data(), 18, &options, &found) == TOUCHSTONE_INVALID_QUERY);
+  int intersects = -1;
+  CHECK(touchstone_mesh_intersects(mesh, x.data(), 18, &options, &intersects) == TOUCHSTONE_INVALID_QUERY);
   CHECK(found == nullptr);
   options.check_start = 2;
   CHECK(touchstone_mesh_first_contact(mesh, x.data(), x.data(), 18, &options, &result, nullptr, nullptr) ==
@@ -344,6 +351,7 @@ TEST_CASE("what is wrong with a mesh is a status and a message, and no handle") 
   result = TOUCHSTONE_FIRST_CONTACT_INIT;
   CHECK(touchstone_mesh_all_contacts(mesh, x0, x1, 18, nullptr, nullptr) == TOUCHSTONE_INVALID_ARGUMENT);
   CHECK(touchstone_mesh_intersections(mesh, x0, 18, nullptr, nullptr) == TOUCHSTONE_INVALID_ARGUMENT);
+  CHECK(touchstone_mesh_intersects(mesh, x0, 18, nullptr, nullptr) == TOUCHSTONE_INVALID_ARGUMENT);
   touchstone_options options = default_options();
   options.separation = 0.5;
   CHECK(touchstone_mesh_first_contact(mesh, x0, x1, 18, &options, &result, nullptr, nullptr) ==

@@ -292,6 +292,7 @@ TEST_CASE("pairs of a large mesh at rest are those whose boxes touch, by a grid,
     CAPTURE(threads);
     CHECK((candidates(mesh, x, x, {threads}) == expected));
     CHECK(same_bytes(intersections(mesh, x, {threads}), at_rest));
+    CHECK(intersects(mesh, x, {threads}));
   }
 }
 
@@ -316,6 +317,7 @@ TEST_CASE("1 to 64 threads give the same bytes") {
       CHECK(same_bytes(all_contacts(mesh, scene.start(), scene.end(), options), all));
       CHECK(candidates(mesh, scene.start(), scene.end(), options) == near);
       CHECK(same_bytes(intersections(mesh, scene.start(), options), at_rest));
+      CHECK(intersects(mesh, scene.start(), options) == !at_rest.empty());
     }
   }
   CHECK(contacts > 50);

@@ -16,6 +16,7 @@ struct Outcome {
   FirstContact first;
   FreeStep step, keeping;
   std::vector<Intersection> intersections;
+  bool intersects = false;
   std::vector<MeshPair> candidates;
   std::size_t contacts = 0;
 };
@@ -32,6 +33,7 @@ Outcome outcome_of(const Scene& scene, int threads) {
   step.kept_fraction = 0.25;
   outcome.keeping = free_step(mesh, scene.start(), scene.end(), step);
   outcome.intersections = intersections(mesh, scene.start(), options);
+  outcome.intersects = intersects(mesh, scene.start(), options);
   outcome.candidates = candidates(mesh, scene.start(), scene.end(), options);
   outcome.contacts = all_contacts(mesh, scene.start(), scene.end(), options).size();
   return outcome;
@@ -44,7 +46,8 @@ bool equal(const Outcome& a, const Outcome& b) {
   return a.first.toi == b.first.toi && a.first.toi_upper == b.first.toi_upper &&
          a.first.first.size() == b.first.first.size() && a.first.at_start.size() == b.first.at_start.size() &&
          same_step(a.step, b.step) && same_step(a.keeping, b.keeping) &&
-         a.intersections.size() == b.intersections.size() && a.candidates == b.candidates && a.contacts == b.contacts;
+         a.intersections.size() == b.intersections.size() && a.intersects == b.intersects &&
+         a.candidates == b.candidates && a.contacts == b.contacts;
 }
 
 }  // namespace

@@ -147,6 +147,7 @@ TEST_CASE("two faces overlap beyond their common vertices exactly when an edge a
     const auto all = intersections(mesh, {x, 3});
     CAPTURE(round, x, elements.faces);
     REQUIRE(any == !all.empty());
+    REQUIRE(any == intersects(mesh, {x, 3}));
     const bool folds = std::any_of(all.begin(), all.end(),
                                    [](const Intersection& one) { return one.sort == IntersectionSort::folds; });
     const bool others = std::any_of(all.begin(), all.end(),

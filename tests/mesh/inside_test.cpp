@@ -67,7 +67,12 @@ struct Parts {
     return static_cast<MeshIndex>(elements.vertex_count++);
   }
 
-  std::vector<Intersection> all(int threads = 1) const { return intersections(Mesh(elements), {x, 3}, {threads}); }
+  std::vector<Intersection> all(int threads = 1) const {
+    const Mesh mesh(elements);
+    std::vector<Intersection> found = intersections(mesh, {x, 3}, {threads});
+    CHECK(intersects(mesh, {x, 3}, {threads}) == !found.empty());
+    return found;
+  }
 
   std::vector<EnclosedPart> enclosed(ClosedParts closed = ClosedParts::unasked, int threads = 1) const {
     return insides(Mesh(elements), {x, 3}, {threads}, all(), closed).enclosed;

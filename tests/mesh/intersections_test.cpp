@@ -199,6 +199,7 @@ TEST_CASE("intersections are those of all elements by brute force") {
       CAPTURE(round, scene.name);
       REQUIRE(found.size() == common);
       REQUIRE(found == brute_force(scene));
+      REQUIRE(intersects(mesh, scene.start(), options) == !all.empty());
     }
   }
   using E = MeshElement;

@@ -31,6 +31,7 @@ def test_first_contact_and_free_step():
     assert ts.free_step(mesh, X0, X0).outcome == "whole"
     assert ts.free_step(mesh, X1, X1, 0.5).length <= 1
     pierced = ts.intersections(mesh, X1)
+    assert ts.intersects(mesh, X1) is True and ts.intersects(mesh, X0) is False
     assert pierced.first.tolist() == [3, 4] and pierced.second.tolist() == [0, 0] and pierced.pierces.all()
     assert pierced.first_element == ["edge", "edge"] and pierced.second_element == ["face", "face"]
     assert pierced.weights_second.sum(axis=1) == pytest.approx(1)
@@ -233,6 +234,8 @@ def test_a_mesh_without_a_value_is_refused_by_the_functions():
                 call(mesh, X0, X1)
         with pytest.raises(TypeError, match="no value"):
             ts.intersections(mesh, X0)
+        with pytest.raises(TypeError, match="no value"):
+            ts.intersects(mesh, X0)
         mesh.__init__(7, FACES)
         assert ts.first_contact(mesh, X0, X1).contact
     assert len(BOUND) >= 13

@@ -206,6 +206,7 @@ TEST_CASE("stack: questions about meshes, on the calling thread") {
       depths.measure("all_contacts", name, [&] { all_contacts(mesh, scene.start(), scene.end()); });
       depths.measure("candidates", name, [&] { candidates(mesh, scene.start(), scene.end()); });
       depths.measure("intersections", name, [&] { intersections(mesh, scene.start()); });
+      depths.measure("intersects", name, [&] { intersects(mesh, scene.start()); });
       depths.measure("free_step", name, [&] { free_step(mesh, scene.start(), scene.end()); });
       FreeStepOptions kept;
       kept.kept_fraction = 0.25;

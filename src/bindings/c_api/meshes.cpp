@@ -286,6 +286,17 @@ int touchstone_mesh_intersections(const touchstone_mesh* mesh, const double* x, 
   });
 }
 
+int touchstone_mesh_intersects(const touchstone_mesh* mesh, const double* x, std::size_t value_count,
+                               const touchstone_options* given, int* found) {
+  return guarded([&] {
+    const Mesh& of = required(mesh, "mesh").mesh;
+    const touchstone_options options = mesh_options(given);
+    refuse_check_start(options);
+    int& told = required(found, "intersects");
+    told = intersects(of, positions_of(of, x, value_count, "x"), asked_of(options)) ? 1 : 0;
+  });
+}
+
 std::size_t touchstone_intersections_count(const touchstone_intersections* found) {
   return found == nullptr ? 0 : found->all.size();
 }

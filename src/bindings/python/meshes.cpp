@@ -522,6 +522,20 @@ void define_steps(py::module_& module) {
            [](SharedSteps& shared) { return "<MeshSteps: searches=" + std::to_string(searches_of(shared)) + ">"; });
 }
 
+/// A question about positions: ask(mesh, x, options).
+template <class Ask>
+auto of_positions(const Ask& ask) {
+  return [ask](const Mesh& mesh, py::handle x, py::handle threads) {
+    const PositionArray positions(x, mesh, "x");
+    MeshOptions options;
+    options.threads = threads_of(threads);
+    return in_background(mesh.vertex_count(), [&](const std::atomic<bool>& stop) {
+      options.stop = &stop;
+      return ask(mesh, positions.view(), options);
+    });
+  };
+}
+
 }  // namespace
 
 void define_meshes(py::module_& module) {
@@ -542,15 +556,12 @@ void define_meshes(py::module_& module) {
              of_step([](const Mesh& mesh, const Positions& x0, const Positions& x1, const MeshOptions& options) {
                return Pairs{candidates(mesh, x0, x1, options), {}, {}};
              }));
-  module.def("intersections", [](const Mesh& mesh, py::handle x, py::handle threads) {
-    const PositionArray positions(x, mesh, "x");
-    MeshOptions options;
-    options.threads = threads_of(threads);
-    return in_background(mesh.vertex_count(), [&](const std::atomic<bool>& stop) {
-      options.stop = &stop;
-      return Intersections{intersections(mesh, positions.view(), options)};
-    });
-  });
+  module.def("intersections", of_positions([](const Mesh& mesh, const Positions& x, const MeshOptions& options) {
+               return Intersections{intersections(mesh, x, options)};
+             }));
+  module.def("intersects", of_positions([](const Mesh& mesh, const Positions& x, const MeshOptions& options) {
+               return intersects(mesh, x, options);
+             }));
   module.def("free_step",
              of_free_step<const Mesh>([](const Mesh& mesh, const Positions& x0, const Positions& x1,
                                          const FreeStepOptions& options) { return free_step(mesh, x0, x1, options); }));

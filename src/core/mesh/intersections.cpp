@@ -126,11 +126,13 @@ std::optional<Intersection> from_answer(const Mesh::Impl& mesh, const Motion& mo
 }  // namespace
 
 std::vector<Intersection> find_intersections(const Mesh::Impl& mesh, const Motion& motion, int threads,
-                                             const std::atomic<bool>* stop) {
+                                             const std::atomic<bool>* stop, HowMany how_many) {
   std::vector<Intersection> all;
   std::mutex lock;
+  std::atomic<double> until{1};
   const auto take = [&](MeshElement first, MeshElement second, const Pair* pairs, std::size_t count) {
     check_stop(stop);
+    if (until < 0) return;
     const Sorts sorts{first, second};
     ColumnBlock& columns = ColumnBlock::of_thread(kind_of_query(second));
     std::array<Asked, ColumnBlock::kQueries> asked;
@@ -141,6 +143,7 @@ std::vector<Intersection> find_intersections(const Mesh::Impl& mesh, const Motio
         if (!found) continue;
         const std::lock_guard<std::mutex> guard(lock);
         all.push_back(*found);
+        if (how_many == HowMany::any) until = -1;  // no more boxes meet
       }
       columns.clear();
     };
@@ -152,7 +155,8 @@ std::vector<Intersection> find_intersections(const Mesh::Impl& mesh, const Motio
     }
     ask();
   };
-  for_each_resting_block(mesh, motion, {threads}, take);
+  for_each_resting_block(mesh, motion, {threads, &until}, take);
+  if (how_many == HowMany::any && !all.empty()) return all;
   add_inside(mesh, motion, threads, stop, all);
   std::sort(all.begin(), all.end(), [](const Intersection& a, const Intersection& b) {
     return std::tie(a.first_element, a.second_element, a.first, a.second) <
@@ -164,8 +168,8 @@ std::vector<Intersection> find_intersections(const Mesh::Impl& mesh, const Motio
 namespace {
 
 TOUCHSTONE_BEHIND_GUARD std::vector<Intersection> intersections_at(const Mesh::Impl& mesh, const Positions& x,
-                                                                   const MeshOptions& options) {
-  return find_intersections(mesh, motion_of(mesh, x, x, options.threads), options.threads, options.stop);
+                                                                   const MeshOptions& options, HowMany how_many) {
+  return find_intersections(mesh, motion_of(mesh, x, x, options.threads), options.threads, options.stop, how_many);
 }
 
 }  // namespace
@@ -176,7 +180,12 @@ inline namespace TOUCHSTONE_ABI {
 
 std::vector<Intersection> intersections(const Mesh& mesh, const Positions& x, const MeshOptions& options) {
   const numbers::DefaultFloatEnvironment environment;
-  return mesh::intersections_at(mesh.impl(), x, options);
+  return mesh::intersections_at(mesh.impl(), x, options, mesh::HowMany::all);
+}
+
+bool intersects(const Mesh& mesh, const Positions& x, const MeshOptions& options) {
+  const numbers::DefaultFloatEnvironment environment;
+  return !mesh::intersections_at(mesh.impl(), x, options, mesh::HowMany::any).empty();
 }
 
 }  // namespace TOUCHSTONE_ABI

@@ -36,7 +36,7 @@ from ._queries import contact_normal, contact_times, distance, solve
 from ._curved import CurvedQueries, OnBody, OnCurves
 from ._fuzzing import fuzz
 from ._judging import Certificate, Verdict, certify
-from ._meshes import all_contacts, candidates, first_contact, free_step, intersections
+from ._meshes import all_contacts, candidates, first_contact, free_step, intersections, intersects
 from ._proofs import Checked, Proofs, check, prove
 from ._display import Shown, ShownMesh, show, show_mesh
 from ._pages import save_page
@@ -46,5 +46,5 @@ __all__ = [
     "Finding", "FirstContact", "FreeStep", "FuzzReport", "Intersections", "Level", "Mesh", "MeshSteps", "Nature",
     "OnBody", "OnCurves", "Pairs", "Proofs", "Shown", "ShownMesh", "Trend", "Verdict", "all_contacts", "candidates",
     "certify", "check", "contact_normal", "contact_times", "distance", "first_contact", "free_step", "fuzz",
-    "intersections", "prove", "save_page", "show", "show_mesh", "solve"
+    "intersections", "intersects", "prove", "save_page", "show", "show_mesh", "solve"
 ]

@@ -78,6 +78,16 @@ def intersections(mesh: Mesh, x: ArrayLike, threads: int = 1) -> Intersections:
     return _core.intersections(mesh, x, threads)
 
 
+def intersects(mesh: Mesh, x: ArrayLike, threads: int = 1) -> bool:
+    """Whether `intersections` finds any. It ends at the first one that it meets. Raises what `first_contact` raises.
+
+    >>> import touchstone
+    >>> touchstone.intersects(touchstone.Mesh(2), [[0, 0, 0], [0, 0, 0]])
+    True
+    """
+    return _core.intersects(mesh, x, threads)
+
+
 def free_step(mesh: Mesh, x0: ArrayLike, x1: ArrayLike, kept_fraction: float = 0.0, threads: int = 1, *,
               check_start: bool = False, float32: bool = False) -> FreeStep:
     """The longest step from x0 towards x1 that is proved free of contact, to positions rounded as they are returned.
