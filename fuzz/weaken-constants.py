@@ -241,11 +241,13 @@ MESH_FAULTS = [
     ("room of kept pairs", "mesh/candidate_search.cpp", "room_(2 * (1 +", "room_(1 * (1 +"),
     ("used part of the margin", "mesh/candidate_search.cpp", "kUsedMargin = 0.75", "kUsedMargin = 1.5"),
     ("margin of a kept fraction", "mesh/candidate_search.cpp", "(1 + 4 * kept_fraction_ / (1 - kept_fraction_))", "1"),
-    ("reach of a kept fraction", "mesh/candidates.cpp", "reach += more;", ""),
+    ("reach of a kept fraction", "mesh/candidates.cpp", "grow(box, reach + more);", "grow(box, reach);"),
     ("greatest radius and greatest way of an element", "mesh/candidates.cpp",
      "more = std::max(more, reach_.of_ways[corner]);",
      "reach = std::max(reach, reach_.of_ways[corner] + (reach_.of_vertices.empty() ? 0 :"
      " reach_.of_vertices[corner]));"),
+    ("boxes of what a face stands for", "mesh/candidates.cpp", "!meet(a.box, b.box, until_)", "false"),
+    ("vertices that a face stands for", "mesh/mesh.cpp", "corners[i]], 1) == 0)", "corners[i]], 1) == 0 && i > 0)"),
     ("pieces that meet", "mesh/inside.cpp", "if (a != b) pairs.insert({{a, b}, {b, a}});", ""),
 ]
 
