@@ -116,7 +116,7 @@ using Pair = std::array<std::uint32_t, 2>;
 
 /// Takes some of the pairs, at most kPairBlock at a time. Several threads may call it at the same time.
 using PairBlockConsumer = std::function<void(const Pair* pairs, std::size_t count)>;
-inline constexpr std::size_t kPairBlock = 1024;
+inline constexpr std::size_t kPairBlock = 512;
 
 struct PairSearch {
   int threads = 1;

@@ -228,7 +228,7 @@ class ElementPairs {
   }
 
   struct List {
-    std::array<Pair, 256> pairs;
+    std::array<Pair, 128> pairs;  // small: all of this is on the stack, beneath the solver
     std::size_t count = 0;
   };
 
