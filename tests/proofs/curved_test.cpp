@@ -73,12 +73,13 @@ TEST_CASE("the answers to curved queries of every family are proved, and the che
 
 TEST_CASE("answers to curved queries with a separation are proved in both metrics", "[slow]") {
   const std::size_t count = effort(2);
-  std::size_t contacts = 0, later = 0, queries = 0;
+  std::size_t contacts = 0, later = 0, queries = 0, number = 0;
   for (const Kind kind : kKinds) {
     for (const FamilyInfo& family : curved_families()) {
       const double largest = largest_of(make_curved(CaseId{family.family, kind, 17, 0}).query);
       for (const Metric metric : {Metric::euclidean, Metric::max}) {
         for (const double fraction : {0.125, 1e-3}) {
+          if (!runs_case(number++)) continue;
           Proved proved = curved_file();
           proved.separation = {fraction * largest, metric};
           for (std::uint64_t i = 0; i < count && proved.separation.distance > 0; ++i) {
@@ -94,14 +95,17 @@ TEST_CASE("answers to curved queries with a separation are proved in both metric
       }
     }
   }
+  if (!whole_effort("how many answers with a separation are contacts")) return;
   CHECK(contacts > queries / 4);
   CHECK(contacts < queries);
   CHECK(later > queries / 20);
 }
 
 TEST_CASE("straight motion given as curves has the same proofs", "[slow]") {
+  std::size_t number = 0;
   for (const Kind kind : kKinds) {
     for (const FamilyInfo& family : all_families()) {
+      if (!runs_case(number++)) continue;
       const Query query = make(CaseId{family.family, kind, 18, 0});
       for (const Separation& separation : {Separation{}, Separation{0.125, Metric::euclidean}}) {
         const Answer answer = solve(query, {.separation = separation});
