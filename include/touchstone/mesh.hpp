@@ -309,7 +309,7 @@ struct FirstContact {
 /// elements, and FirstContactOptions::check_start asks it.
 ///
 /// The result is the same for every number of threads, byte for byte. The call needs 48 bytes for each vertex, and less
-/// than 240 bytes for each face, each edge that is in no face and each loose point: a closed surface of 10^7 faces needs
+/// than 240 bytes for each face, each edge that is in no face and each loose point: for a closed surface of 10^7 faces
 /// less than 3 GB.
 /// @param mesh     the mesh
 /// @param x0       the positions at t = 0

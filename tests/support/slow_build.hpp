@@ -49,8 +49,8 @@ inline std::size_t effort(std::size_t count) {
   return TOUCHSTONE_SLOW_BUILD ? (count + kSlowdown - 1) / kSlowdown : count;
 }
 
-/// Whether to run the n-th of cases that are a fixed list, each a thing of its own: a slow build or a lesser effort runs
-/// some, evenly.
+/// Whether to run the n-th of cases that are a fixed list, each a thing of its own: a slow build or a lesser effort
+/// runs some, evenly.
 inline bool runs_case(std::size_t n) {
   const std::size_t of_thousand = std::min<std::size_t>(1000, effort(1000));
   return n * of_thousand / 1000 != (n + 1) * of_thousand / 1000;

@@ -71,8 +71,8 @@ struct InMotion {
 
   bool edges_with_edges(const Representative&, const Representative&) const noexcept { return mesh.dimension == 3; }
 
-  /// Whether the vertices that `a` stands for are compared with `b`, a face or an edge; of an edge in no face only loose
-  /// points and those beside it, which `allow` tells.
+  /// Whether the vertices that `a` stands for are compared with `b`, a face or an edge; with an edge in no face only
+  /// loose points and those beside it, which `allow` tells.
   bool vertices_with(const Representative& a, const Representative& b) const noexcept {
     return mesh.dimension == 2 || b.sort == MeshElement::face || a.sort == MeshElement::vertex || !mesh.joined.empty();
   }

@@ -49,11 +49,11 @@ enum class ClosedParts : std::uint8_t {
 
 /// What is inside closed surfaces, and what nobody can tell to be inside or outside.
 struct Insides {
-  /// The loose points, wires and open surfaces that are wholly inside closed surfaces which they do not meet, and closed
-  /// surfaces as ClosedParts says, in ascending order of their vertices. Whether that is right, as for cloth in a drum,
-  /// no geometry tells. A surface also counts as closed if each of its edges is in an even number of its faces; its
-  /// winding number is then 0 or 1. A part whose winding numbers add up to 0 is not enclosed, as in a cavity of a solid,
-  /// unless the outermost surface may be a room.
+  /// The loose points, wires and open surfaces that are wholly inside closed surfaces which they do not meet, and
+  /// closed surfaces as ClosedParts says, in ascending order of their vertices. Whether that is right, as for cloth in
+  /// a drum, no geometry tells. A surface also counts as closed if each of its edges is in an even number of its faces;
+  /// its winding number is then 0 or 1. A part whose winding numbers add up to 0 is not enclosed, as in a cavity of a
+  /// solid, unless the outermost surface may be a room.
   std::vector<EnclosedPart> enclosed;
 
   std::size_t branching = 0;  ///< surfaces with an edge of three faces or more: which one is around which is not known
