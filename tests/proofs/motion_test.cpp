@@ -19,7 +19,6 @@
 #include "proofs/proof_text.hpp"
 #include "seeded/rng.hpp"
 #include "support/catch.hpp"
-#include "support/slow_build.hpp"
 
 using namespace touchstone;
 using numbers::Exact;
@@ -235,7 +234,7 @@ TEST_CASE("the pairs of a step are those of the page: boxes that are just at the
 
 TEST_CASE("the pairs of many elements are the same for any number of threads", "[slow]") {
   Rng random(5);
-  const std::size_t count = TOUCHSTONE_SLOW_BUILD ? 1500 : 6000;
+  const std::size_t count = 6000;
   MotionElements elements;
   elements.vertex_count = count;
   for (std::uint32_t v = 0; v + 2 < count; v += 3) {
@@ -253,7 +252,7 @@ TEST_CASE("the pairs of many elements are the same for any number of threads", "
   const proofs::StepProver prover(elements, {0.0625, Metric::max});
   const auto one = prover.pairs(start, end, 1);
   CHECK((one == all_pairs(elements, start, end, 0.0625)));
-  CHECK(one.size() > (TOUCHSTONE_SLOW_BUILD ? 100U : 2000U));
+  CHECK(one.size() > 2000);
   for (const int threads : {2, 5}) CHECK((prover.pairs(start, end, threads) == one));
 }
 
