@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cstdint>
 #include <limits>
 #include <optional>
 
@@ -19,6 +20,7 @@
 #include "io/output_file.hpp"
 #include "io/queries/answer_writer.hpp"
 #include "io/sha256.hpp"
+#include "report/own_process.hpp"
 
 namespace touchstone::cli {
 namespace {
@@ -32,7 +34,8 @@ struct StepResult {
   std::size_t besides = 0;            ///< contacts of pairs without a truth
   std::optional<double> toi;          ///< of the first contact
   double seconds_of_candidates = 0, seconds_of_answers = 0, seconds_of_contacts = 0, seconds_of_first = 0;
-  std::string digest;  ///< of all contacts' answers
+  std::optional<std::uint64_t> memory;  ///< bytes that the first contact takes, on one thread; nothing: not known
+  std::string digest;                   ///< of all contacts' answers
 
   double nanoseconds_a_candidate() const {
     return 1e9 * seconds_of_answers / static_cast<double>(std::max<std::size_t>(1, candidates));
@@ -88,6 +91,7 @@ void time_answers(const PublicStep& step, const std::vector<MeshPair>& pairs, in
 StepResult check(const PublicStep& step, int threads) {
   StepResult result;
   const Positions x0(step.x0, 3), x1(step.x1, 3);
+  result.memory = report::run_in_own_process([] {}, [&] { return first_contact(step.mesh, x0, x1).contact; }).memory;
   StepOptions options;
   options.threads = threads;
   FirstContactOptions first_options;
@@ -132,8 +136,9 @@ std::string for_person(const PublicStep& step, const StepResult& result) {
                                  counted(step.mesh.faces().size(), "face"));
   text += fmt::format("  candidates     {} in {:.2f} ms; each is answered in {:.0f} ns\n", grouped(result.candidates),
                       1e3 * result.seconds_of_candidates, result.nanoseconds_a_candidate());
-  text += fmt::format("  first contact  {} in {:.2f} ms\n", result.toi ? time_for_person(*result.toi) : "none",
-                      1e3 * result.seconds_of_first);
+  text += fmt::format("  first contact  {} in {:.2f} ms{}\n", result.toi ? time_for_person(*result.toi) : "none",
+                      1e3 * result.seconds_of_first,
+                      result.memory ? fmt::format(" and {:.1f} MB", 1e-6 * static_cast<double>(*result.memory)) : "");
   text += fmt::format("  all contacts   {} in {:.2f} ms\n", grouped(result.contacts), 1e3 * result.seconds_of_contacts);
   text += fmt::format("  truth          {}\n", step.has_truth ? comparison(result.judged, result.wrong, result.besides)
                                                               : "none: no boxes and mma_bool of this step are here");
@@ -142,14 +147,15 @@ std::string for_person(const PublicStep& step, const StepResult& result) {
 
 constexpr std::string_view kHeader =
     "step,vertices,faces,candidates,contacts,judged,wrong,besides,toi,candidates_ms,first_contact_ms,all_contacts_ms,"
-    "ns_per_candidate,digest\n";
+    "ns_per_candidate,first_contact_bytes,digest\n";
 
 std::string csv_row(const PublicStep& step, const StepResult& result) {
-  return fmt::format("{},{},{},{},{},{},{},{},{},{:.3f},{:.3f},{:.3f},{:.2f},{}\n", io::csv_field(step.name),
+  return fmt::format("{},{},{},{},{},{},{},{},{},{:.3f},{:.3f},{:.3f},{:.2f},{},{}\n", io::csv_field(step.name),
                      step.mesh.vertex_count(), step.mesh.faces().size(), result.candidates, result.contacts,
                      result.judged, result.wrong, result.besides, result.toi ? fmt::format("{:a}", *result.toi) : "",
                      1e3 * result.seconds_of_candidates, 1e3 * result.seconds_of_first,
-                     1e3 * result.seconds_of_contacts, result.nanoseconds_a_candidate(), result.digest);
+                     1e3 * result.seconds_of_contacts, result.nanoseconds_a_candidate(),
+                     result.memory ? fmt::format("{}", *result.memory) : "", result.digest);
 }
 
 }  // namespace
