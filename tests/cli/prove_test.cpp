@@ -13,6 +13,7 @@
 #include "cli/shared/proofs/proof_file.hpp"
 #include "io/sha256.hpp"
 #include "support/catch.hpp"
+#include "support/slow_build.hpp"
 
 using namespace touchstone;
 using namespace touchstone::tests;
@@ -96,7 +97,7 @@ TEST_CASE("an answer that has no proof is an error that names its query") {
 TEST_CASE("proofs with a separation name it before each file, and the number of threads changes no byte", "[slow]") {
   const TemporaryFolder folder;
   for (const Kind kind : kKinds) {
-    const SampleFile sample = sample_file(kind, 6, 5);
+    const SampleFile sample = sample_file(kind, 6, static_cast<int>(effort(5)));
     const std::string first = folder.write(std::string(name_of(kind)) + "/a.csv", sample.text);
     const std::string second = folder.write("point-point/b.csv", two_point_queries());
     for (const std::string metric : {"euclidean", "max"}) {

@@ -9,6 +9,7 @@
 #include "cli/sample_files.hpp"
 #include "io/times.hpp"
 #include "support/catch.hpp"
+#include "support/slow_build.hpp"
 
 using namespace touchstone;
 using namespace touchstone::tests;
@@ -316,7 +317,8 @@ TEST_CASE("fuzz with a separation breaks the baselines, finds ours right, and it
                 "exact, oracle, fast-cgal, batch, thick_advancement, thick_polynomial");
 }
 
-TEST_CASE("report and stress ask about the separation, with the baselines that take one", "[slow]") {
+TEST_CASE("report asks about the separation, with the baselines that take one", "[slow]") {
+  if (!whole_effort("the program's report with a separation")) return;
   const TemporaryFolder folder;
   const Run report = run_program({"report", "--quick", "--separation", "0.001", "--out", folder.path("r")});
   CAPTURE(report.err);
@@ -330,7 +332,10 @@ TEST_CASE("report and stress ask about the separation, with the baselines that t
   const std::string csv = folder.read("r/report.csv");
   CHECK(csv.find(",level_oracle,separation,metric\n") < csv.find('\n'));
   CHECK(occurrences(csv, ",0x1.0624dd2f1a9fcp-10,euclidean\n") > 0);
+}
 
+TEST_CASE("stress asks about the separation, with the baselines that take one", "[slow]") {
+  const TemporaryFolder folder;
   const Run stress = run_program({"stress", "--dial", "sliver", "--count", "4", "--separation", "0.001", "--metric",
                                   "euclidean", "--out", folder.path("s")});
   CAPTURE(stress.err);
