@@ -25,7 +25,7 @@ std::string error_of(const std::string& content, std::size_t queries_before) {
   std::string error;
   bool first = true;
   for (const std::size_t chunk :
-       {std::size_t{1}, std::size_t{5}, std::size_t{4096}, io::kChunkBytes, std::size_t{1} << 26}) {
+       {std::size_t{1}, std::size_t{5}, std::size_t{4096}, io::kChunkBytes, content.size() + 1}) {
     if (content.size() / chunk > 100'000'000) continue;
     const ReadFile file = read_queries(content, Kind::point_point, chunk);
     CAPTURE(chunk, file.error);

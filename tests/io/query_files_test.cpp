@@ -147,7 +147,7 @@ TEST_CASE("any fraction is read as the double that it is, or as the rational tha
     if (rng.one_in(4)) denominator = random_digits(rng, 40);
     if (rng.one_in(9)) denominator.insert(0, "00");
     const auto expected = numbers::exact_double(numerator, denominator);
-    const ReadFile file = read_queries(query_with(numerator, denominator), Kind::point_point, io::kChunkBytes);
+    const ReadFile file = read_queries(query_with(numerator, denominator), Kind::point_point, 4096);
     CAPTURE(numerator, denominator);
     REQUIRE(file.error == "");
     REQUIRE(file.queries.size() == 1);
