@@ -11,6 +11,9 @@ namespace touchstone::python {
 namespace py = pybind11;
 
 void define_queries(py::module_& module);
+/// `Mesh`.
+void define_mesh(py::module_& module);
+/// The questions about meshes, and what they return.
 void define_meshes(py::module_& module);
 void define_curved(py::module_& module);
 void define_proofs(py::module_& module);

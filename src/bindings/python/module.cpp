@@ -26,6 +26,7 @@ PYBIND11_MODULE(_core, module) {
   module.attr("_names") = python::all_names();
   python::define_answers(module);
   python::define_queries(module);
+  python::define_mesh(module);
   python::define_meshes(module);
   python::define_curved(module);
   python::define_proofs(module);

@@ -1,0 +1,41 @@
+// What questions about whole meshes return to Python: Pairs, Intersections, FirstContact, FreeStep.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <touchstone/mesh.hpp>
+
+#include <vector>
+
+#include "python/define.hpp"
+
+namespace touchstone::python {
+
+/// Pairs of elements and, of contacts, the answers to their queries.
+struct Pairs {
+  using BoundToPython = void;
+
+  std::vector<MeshPair> pairs;
+  std::vector<double> separations;
+  std::vector<Answer> answers;
+};
+
+Pairs pairs_of(const std::vector<MeshContact>& contacts);
+
+struct Intersections {
+  using BoundToPython = void;
+
+  std::vector<Intersection> all;
+};
+
+/// A free step, and how many coordinates a vertex has.
+struct Step {
+  using BoundToPython = void;
+
+  FreeStep step;
+  int dimension;
+};
+
+/// Of them all.
+void define_mesh_results(py::module_& module);
+
+}  // namespace touchstone::python
