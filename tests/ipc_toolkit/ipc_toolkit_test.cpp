@@ -14,6 +14,7 @@
 
 #include "seeded/rng.hpp"
 #include "support/catch.hpp"
+#include "support/slow_build.hpp"
 
 using touchstone::ExactNarrowPhaseCCD;
 using touchstone::InvalidQuery;
@@ -214,6 +215,41 @@ TEST_CASE("with a rescaling the least time over all pairs does not depend on the
   CHECK(shortened > 10);
 }
 
+TEST_CASE("with a rescaling the time is that of the whole step, or there is none before tmax") {
+  Rng rng(4);
+  int hits = 0, later = 0;
+  for (const double rescaling : {0.9, 0.5, 0x1p-30, 1 - 0x1p-50}) {
+    const ExactNarrowPhaseCCD ccd(rescaling);
+    for (std::size_t i = 0; i < touchstone::tests::effort(2000); ++i) {
+      Query query = lattice_query(rng, touchstone::kKinds[i % 4], 3);
+      const double scale = std::ldexp(1, i % 5 == 0 ? rng.between(-1070, 970) : 0);
+      const double offset = i % 3 == 0 ? scale * 0x1p40 : 0;
+      for (auto* corners : {&query.start, &query.end}) {
+        for (Vec3& corner : *corners) corner = {scale * corner.x + offset, scale * corner.y, scale * corner.z};
+      }
+      const double min_distance = i % 2 == 0 ? 0 : scale / 2;
+      const Result whole = ask(ccd, query, min_distance);
+      const double tmax = i % 7 == 0 && whole.hit ? whole.toi : rng.unit();
+      CAPTURE(rescaling, i, scale, min_distance, tmax);
+      const bool hit = whole.hit && (whole.toi < tmax || oracle_contact(query, min_distance, tmax));
+      REQUIRE(ask(ccd, query, min_distance, tmax) == (hit ? whole : Result{false, kInfinity}));
+      hits += hit;
+      later += whole.hit && !hit;
+    }
+  }
+  CHECK(hits > 20);
+  CHECK(later > 20);
+}
+
+TEST_CASE("a way that overflows is stepped along") {
+  const Query query = touchstone::PointPoint{{{{-1e308, 0, 0}, {0, 0, 0}}}, {{{1e308, 0, 0}, {0, 0, 0}}}};
+  for (const double rescaling : {1.0, 0.5}) {
+    const Result result = ask(ExactNarrowPhaseCCD(rescaling), query);
+    CHECK(result.hit);
+    CHECK((0 < result.toi && result.toi < 0.5));
+  }
+}
+
 TEST_CASE("no exact hit of a corner is missed at any scale", "[slow]") {
   const ExactNarrowPhaseCCD ccd;
   Rng rng(4);
@@ -308,6 +344,12 @@ TEST_CASE("what has no meaning is refused") {
   ExactNarrowPhaseCCD changed;
   changed.conservative_rescaling = 2;
   CHECK_THROWS_AS(ask(changed, query), InvalidQuery);
+  for (const double rescaling : {1.0, 0.5}) {
+    for (const double wrong : {-0x1p-1074, 1 + 0x1p-52, nan, kInfinity}) {
+      CHECK_THROWS_AS(ask(ExactNarrowPhaseCCD(rescaling), query, 0, wrong), InvalidQuery);
+    }
+    CHECK_THROWS_AS(ask(ExactNarrowPhaseCCD(rescaling), query, -1, 0.5), InvalidQuery);
+  }
   double toi = 0;
   const ipc::VectorMax3d flat = ipc::VectorMax3d::Zero(2), deep = ipc::VectorMax3d::Ones(3);
   CHECK_THROWS_AS(ccd.point_point_ccd(flat, deep, flat, deep, toi), InvalidQuery);
