@@ -24,15 +24,16 @@ std::vector<double> between(const std::vector<double>& x0, const std::vector<dou
   return x;
 }
 
-double mean_edge_length(const Mesh& mesh, const std::vector<double>& x) {
-  double sum = 0;
+double median_edge_length(const Mesh& mesh, const std::vector<double>& x) {
+  std::vector<double> lengths = {0};
   const auto n = static_cast<std::size_t>(mesh.dimension());
   for (const auto& edge : mesh.edges()) {
     double square = 0;
     for (std::size_t k = 0; k < n; ++k) square += std::pow(x[n * edge[0] + k] - x[n * edge[1] + k], 2);
-    sum += std::sqrt(square);
+    lengths.push_back(std::sqrt(square));
   }
-  return mesh.edges().empty() ? 0 : sum / static_cast<double>(mesh.edges().size());
+  std::sort(lengths.begin(), lengths.end());
+  return lengths[lengths.size() / 2];
 }
 
 /// The edges 01 and 23.
@@ -90,7 +91,7 @@ TEST_CASE("steps that keep candidates have the results of steps that are asked a
       }
       const Mesh mesh(scene.elements);
       MeshSteps steps(mesh);
-      const double margin = mean_edge_length(mesh, scene.x0) / 16;
+      const double margin = median_edge_length(mesh, scene.x0) / 16;
       const double fraction = random.one_in(2) ? 0 : random.uniform(0, 0.9);
       std::vector<double> x0 = scene.x0, x1 = scene.x1;
       if (random.one_in(2)) x1 = between(x0, x1, 0.1);  // a gentle step
@@ -102,7 +103,8 @@ TEST_CASE("steps that keep candidates have the results of steps that are asked a
           for (double& x : y0) x += by * random.symmetric();
           for (double& x : y1) x += random.one_in(2) ? by : -by;
         }
-        ask(steps, random, y0, y1, random.one_in(10) ? 0.5 : fraction);
+        const double lesser = random.one_in(3) ? fraction * random.unit() : fraction;
+        ask(steps, random, y0, y1, random.one_in(10) ? 0.5 : lesser);
         if (random.one_in(12)) steps.release();
         if (random.one_in(8)) {  // the next step
           const std::vector<double> way = between(x0, x1, -1);
@@ -158,6 +160,45 @@ TEST_CASE("a pair that keeps too little by a move within the margin is among the
   CHECK(steps.searches() == 1);
   CHECK(step.outcome == StepOutcome::shortened);
   CHECK(same_bytes(step, free_step(mesh, {x0, 3}, {x1, 3}, options)));
+}
+
+TEST_CASE("pairs that are kept for a part of the distance answer questions about a lesser part") {
+  MeshSteps steps(two_edges());
+  const std::vector<double> x0 = {-0.5, 0, 0, 0.5, 0, 0, 0, -0.5, 1, 0, 0.5, 1};
+  std::vector<double> x1 = x0;
+  for (std::size_t i = 8; i < x1.size(); i += 3) x1[i] = -1;
+  FreeStepOptions options;
+  for (const double fraction : {0.5, 0.25, 0.0}) {
+    options.kept_fraction = fraction;
+    for (int i = 0; i < 3; ++i) {
+      REQUIRE(
+          same_bytes(steps.free_step({x0, 3}, {x0, 3}, options), free_step(steps.mesh(), {x0, 3}, {x0, 3}, options)));
+      REQUIRE(steps.first_contact({x0, 3}, {x0, 3}).free());
+    }
+    CHECK(steps.searches() == 1);
+  }
+  options.kept_fraction = 0.75;
+  REQUIRE(steps.free_step({x0, 3}, {x0, 3}, options).outcome == StepOutcome::whole);
+  CHECK(steps.searches() == 2);
+  CHECK(same_bytes(steps.free_step({x0, 3}, {x1, 3}, options), free_step(steps.mesh(), {x0, 3}, {x1, 3}, options)));
+}
+
+TEST_CASE("one large face beside many small ones leaves the margin as it is") {
+  MeshElements elements;
+  std::vector<double> x;
+  for (MeshIndex i = 0; i < 200; ++i) {  // triangles with legs of 1/16
+    elements.faces.push_back({3 * i, 3 * i + 1, 3 * i + 2});
+    x.insert(x.end(), {0.25 * i, 0, 1, 0.25 * i + 1. / 16, 0, 1, 0.25 * i, 1. / 16, 1});
+  }
+  elements.faces.push_back({600, 601, 602});
+  x.insert(x.end(), {-1e6, -1e6, 0, 1e6, -1e6, 0, 0, 1e6, 0});
+  elements.vertex_count = 603;
+  MeshSteps steps{Mesh(elements)};
+  for (int question = 0; question < 5; ++question) {
+    REQUIRE(steps.first_contact({x, 3}, {x, 3}).free());
+    CHECK(steps.searches() == 1);
+    for (double& one : x) one += 1e-4;
+  }
 }
 
 TEST_CASE("pairs are kept from the first question on, or from the second if the reference before was of no use") {

@@ -6,6 +6,7 @@
 #include <limits>
 #include <mutex>
 #include <utility>
+#include <vector>
 
 #include "filters/separation/distance_bound.hpp"
 #include "mesh/narrow.hpp"
@@ -19,9 +20,12 @@ using broad_phase::Pair;
 
 constexpr double Vec3::*kAxes[3] = {&Vec3::x, &Vec3::y, &Vec3::z};
 
-/// The margin as a fraction of the mean length of an edge: steps of a simulation are a small part of it, and the
-/// candidates are hardly more.
+/// The margin as a fraction of an edge's length: steps of a simulation are a small part of it, and the candidates are
+/// hardly more.
 constexpr double kMarginOfEdge = 0x1p-4;
+
+/// So many edges, evenly by their numbers, stand for all: a margin only has to be of use.
+constexpr std::size_t kEdgesToMeasure = 1001;
 
 /// The margin as a fraction of the largest coordinate, at least. A coordinate y(s) of the reference is computed with
 /// products and sums of relative error 2^-53 each, so it is off by less than 2^-50 of that coordinate, but for
@@ -45,14 +49,19 @@ double largest_coordinate(const Motion& motion) noexcept {
   return largest;
 }
 
-/// Of the positions at the start; 0 without edges.
-double mean_edge_length(const Mesh::Impl& mesh, const Motion& motion) noexcept {
-  double sum = 0;
-  for (const auto& edge : mesh.edges) {
+/// The median, of the positions at the start; 0 without edges. A floor of two large faces does not change it.
+double usual_edge_length(const Mesh::Impl& mesh, const Motion& motion) {
+  const std::size_t count = std::min(kEdgesToMeasure, mesh.edges.size());
+  if (count == 0) return 0;
+  std::vector<double> lengths(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    const auto& edge = mesh.edges[i * mesh.edges.size() / count];
     const Vec3 &a = motion[edge[0]].start, &b = motion[edge[1]].start;
-    sum += std::hypot(a.x - b.x, a.y - b.y, a.z - b.z) / static_cast<double>(mesh.edges.size());
+    lengths[i] = std::hypot(a.x - b.x, a.y - b.y, a.z - b.z);
   }
-  return sum;
+  const auto middle = lengths.begin() + static_cast<std::ptrdiff_t>(count / 2);
+  std::nth_element(lengths.begin(), middle, lengths.end());
+  return *middle;
 }
 
 /// The pairs that may come as near as they are to keep, in a motion within the margin of the reference.
@@ -105,7 +114,7 @@ void CandidateSearch::release() noexcept {
 }
 
 bool CandidateSearch::covers(const Motion& motion, double kept_fraction) noexcept {
-  if (state_ == State::no_reference || kept_fraction != kept_fraction_) return false;
+  if (state_ == State::no_reference || kept_fraction > kept_fraction_) return false;
   const MovingVertex& lead = reference_[farthest_];
   const double way = lead.end.*along_ - lead.start.*along_;
   const double fraction =
@@ -126,8 +135,7 @@ void CandidateSearch::refer_to(const Motion& motion, double kept_fraction) {
   if (kept_fraction > kMostBounded) return;
   reference_ = motion;
   kept_fraction_ = kept_fraction;
-  const double length = mean_edge_length(mesh_, motion);
-  margin_ = std::max(kMarginOfEdge * length, kLeastMargin * largest_coordinate(motion));
+  margin_ = std::max(kMarginOfEdge * usual_edge_length(mesh_, motion), kLeastMargin * largest_coordinate(motion));
   double farthest = -1;
   for (std::size_t v = 0; v < motion.size(); ++v) {
     for (const auto axis : kAxes) {

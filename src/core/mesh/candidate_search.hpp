@@ -16,7 +16,9 @@ namespace touchstone::mesh {
 /// Keeps the candidates of a *reference*: an earlier motion, whose boxes are wider by a margin on all sides. Those that
 /// may come as near as they are to keep are handed out for each motion that the reference covers. That is a motion of
 /// which all vertices start within the margin of where they started in the reference, and end within the margin of
-/// where they were after a fraction s of it, one s for all vertices.
+/// where they were after a fraction s of it, one s for all vertices. The part f of a pair's distance D0 at the start
+/// that is to be kept is at most the reference's. Boxes reach less far with a lesser f, and the distance to keep,
+/// d + f (D0 - d), is no greater, unless D0 < d: such a pair is in contact at the start, and in the lists of every f.
 ///
 /// Proof: let a vertex of the reference be at y(t) = y0 + t (y1 - y0), and of the motion at x(t) = (1 - t) x0 + t x1.
 /// If each coordinate of x0 is within m of y0, and of x1 within m of y(s), then that of x(t) is within
