@@ -62,6 +62,7 @@ TEST_CASE("scenes compares the contacts of a step with their truth") {
   CHECK(lines[2].rfind("  first contact  0x1p-1 (0.5) in ", 0) == 0);
   CHECK(lines[3].rfind("  all contacts   3 in ", 0) == 0);
   CHECK(lines[4] == "  truth          5 pairs: all as said; 0 contacts besides");
+  CHECK(lines[5] == "  digest         ef7c15eb4a66c36828ee03ea70e9ae48efb4710dc93d23d5fe4f429bbe9072d2");
   CHECK(lines[6] == "1 step, 5 pairs: all as said; 0 contacts besides");
   const std::vector<std::string> rows = lines_of(folder->read("table.csv"));
   REQUIRE(rows.size() == 2);
