@@ -356,7 +356,8 @@ Query query_of(const Mesh& mesh, const MeshPair& pair, const Positions& x0, cons
 /// @throws InvalidQuery  as first_contact
 std::vector<Intersection> intersections(const Mesh& mesh, const Positions& x, const MeshOptions& options = {});
 
-/// Whether `intersections` finds any. It ends at the first one that it meets.
+/// Whether `intersections` finds any. It ends at the first one that it meets. Surfaces inside others are looked for
+/// last.
 /// @throws InvalidQuery  as first_contact
 bool intersects(const Mesh& mesh, const Positions& x, const MeshOptions& options = {});
 
