@@ -53,20 +53,29 @@ enum touchstone_what_is_wanted {
   TOUCHSTONE_WANTED_CONTACT = 3   /**< whether there is one */
 };
 
-/** The options of queries. A null pointer in place of options means TOUCHSTONE_OPTIONS_INIT. */
+/** How queries are decided. Both exact ones agree in all but the level, and the oracle shares no code with them. */
+enum touchstone_method {
+  TOUCHSTONE_METHOD_FAST = 0,     /**< error-bounded filters, and exact arithmetic where they are uncertain */
+  TOUCHSTONE_METHOD_EXACT = 1,    /**< exact arithmetic alone */
+  TOUCHSTONE_METHOD_ORACLE = 2,   /**< CGAL's algebraic kernel: slow. It needs a library with CGAL */
+  TOUCHSTONE_METHOD_FAST_CGAL = 3 /**< as fast, with CGAL where the filters are uncertain. It needs CGAL, too */
+};
+
+/** The options of queries and meshes. A null pointer in place of options means TOUCHSTONE_OPTIONS_INIT. A function
+ *  refuses an option that it has not, unless it is as TOUCHSTONE_OPTIONS_INIT sets it; `threads` each one takes. */
 struct touchstone_options {
   size_t size;     /**< sizeof(struct touchstone_options) */
-  double t_max;    /**< the end of the time range, 0 <= t_max <= 1 */
+  double t_max;    /**< of steps: the end of the time range, 0 <= t_max <= 1; touchstone_mesh_free_step has none */
   int32_t threads; /**< of a batch or mesh: 1 to 1024; 0 takes as many as the machine has; it changes no answer */
-  int32_t metric;  /**< one of touchstone_metric; a mesh has its own */
+  int32_t metric;  /**< of queries: one of touchstone_metric; a mesh has its own */
 
-  /** Elements are in contact while their distance is at most this; finite and not negative. With 0, contact is
-   *  touching. A mesh has its own separations, and takes 0 only. */
+  /** Of queries: elements are in contact while their distance is at most this; finite and not negative. With 0, contact
+   *  is touching. A mesh has its own separations. */
   double separation;
   const double* separations; /**< null; or of a batch, in place of separation: one distance for each query */
   size_t separation_count;   /**< the number of separations: that of the queries, or 0 */
 
-  /** Of touchstone_free_step: the fraction of its distance that each pair keeps, in [0, 1). */
+  /** Of touchstone_mesh_free_step: the fraction of its distance that each pair keeps, in [0, 1). */
   double kept_fraction;
 
   /** Of touchstone_solve and batches: one of touchstone_what_is_wanted. What is not wanted of a contact is as without
@@ -74,18 +83,20 @@ struct touchstone_options {
   int32_t wanted;
 
   /** Of touchstone_mesh_free_step: 1 to end the step at positions that are float32 numbers, 0 otherwise. The start must
-   *  then be of such numbers, too. The other functions of meshes refuse 1. */
+   *  then be of such numbers, too. */
   int32_t float32;
 
   /** Of touchstone_mesh_first_contact and touchstone_mesh_free_step: 1 to ask also whether the mesh intersects itself
    *  at the start, 0 to leave that out. A step is about a start that is free: where one element passes through another
-   *  at the start, and no pair touches, no contact need follow. The other functions of meshes refuse 1. */
+   *  at the start, and no pair touches, no contact need follow. */
   int32_t check_start;
+
+  int32_t method; /**< of touchstone_solve and batches: one of touchstone_method */
 };
 
 /** The options by default: the whole step, touching, one thread. */
 #define TOUCHSTONE_OPTIONS_INIT \
-  { sizeof(struct touchstone_options), 1.0, 1, 0, 0.0, NULL, 0, 0.0, TOUCHSTONE_WANTED_ALL, 0, 0 }
+  { sizeof(struct touchstone_options), 1.0, 1, 0, 0.0, NULL, 0, 0.0, TOUCHSTONE_WANTED_ALL, 0, 0, TOUCHSTONE_METHOD_FAST }
 
 /** The answer to one query. Without contact both times are infinity, and only `contact` and `level` have a meaning.
  *  Names for the numbers: touchstone_nature_name and the other functions that end in _name. */

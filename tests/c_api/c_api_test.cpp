@@ -19,6 +19,7 @@
 
 using touchstone::Answer;
 using touchstone::Kind;
+using touchstone::Method;
 using touchstone::Query;
 using touchstone::Vec3;
 using touchstone::seeded::Rng;
@@ -114,6 +115,24 @@ TEST_CASE("one query, rows and columns give the answers of C++") {
       CHECK(contacts < 300);
     }
   }
+}
+
+TEST_CASE("each method gives the answers of C++, and one that the library has not is refused") {
+  const Rows rows(Kind::vertex_face, 40, 10);
+  touchstone_options options = default_options();
+  for (const Method method : {Method::fast, Method::exact, Method::oracle, Method::fast_cgal}) {
+    options.method = static_cast<int>(method);
+    for (std::size_t q = 0; q < rows.count(); ++q) {
+      touchstone_answer answer;
+      const int status = touchstone_solve(1, &rows.start[q * rows.width], &rows.end[q * rows.width], &options, &answer);
+      CAPTURE(options.method, q);
+      REQUIRE(status == (touchstone::has_method(method) ? TOUCHSTONE_OK : TOUCHSTONE_INVALID_QUERY));
+      if (status == TOUCHSTONE_OK) CHECK(same(touchstone::solve(rows[q], {.method = method}), answer));
+    }
+  }
+  options.method = 4;
+  touchstone_answer answer;
+  CHECK(touchstone_solve(1, rows.start.data(), rows.end.data(), &options, &answer) == TOUCHSTONE_INVALID_ARGUMENT);
 }
 
 TEST_CASE("what is not wanted is left out, and a program that knew no such option gets everything") {

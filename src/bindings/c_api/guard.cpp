@@ -35,9 +35,25 @@ int failed(touchstone_status_code status, const char* message) noexcept {
   return status;
 }
 
-touchstone_options options_of(const touchstone_options* options) {
+touchstone_options options_of(const touchstone_options* options, unsigned has) {
   const touchstone_options defaults = TOUCHSTONE_OPTIONS_INIT;
-  return options == nullptr ? defaults : grown(*options, defaults, kFirstOptionsSize, "options");
+  if (options == nullptr) return defaults;
+  const touchstone_options given = grown(*options, defaults, kFirstOptionsSize, "options");
+  const auto refuse = [&](HasOptions option, bool is_default, const char* name) {
+    if ((has & option) != 0 || is_default) return;
+    throw InvalidArgument(std::string(name) +
+                          " is set, and this function has no such option: leave it as TOUCHSTONE_OPTIONS_INIT sets it");
+  };
+  refuse(kHasTMax, given.t_max == defaults.t_max, "t_max");
+  refuse(kHasSeparation, given.separation == 0, "separation");
+  refuse(kHasSeparation, given.metric == defaults.metric, "metric");
+  refuse(kHasSeparations, given.separations == nullptr && given.separation_count == 0, "separations");
+  refuse(kHasKeptFraction, given.kept_fraction == 0, "kept_fraction");
+  refuse(kHasWanted, given.wanted == defaults.wanted, "wanted");
+  refuse(kHasFloat32, given.float32 == 0, "float32");
+  refuse(kHasCheckStart, given.check_start == 0, "check_start");
+  refuse(kHasMethod, given.method == defaults.method, "method");
+  return given;
 }
 
 Kind kind_of(int kind) {
@@ -61,6 +77,16 @@ Wanted wanted_of(int wanted) {
     case TOUCHSTONE_WANTED_TIME: return Wanted::time;
     case TOUCHSTONE_WANTED_CONTACT: return Wanted::contact;
     default: throw InvalidArgument("what is wanted is " + std::to_string(wanted) + "; it must be in [0, 3]");
+  }
+}
+
+Method method_of(int method) {
+  switch (method) {
+    case TOUCHSTONE_METHOD_FAST: return Method::fast;
+    case TOUCHSTONE_METHOD_EXACT: return Method::exact;
+    case TOUCHSTONE_METHOD_ORACLE: return Method::oracle;
+    case TOUCHSTONE_METHOD_FAST_CGAL: return Method::fast_cgal;
+    default: throw InvalidArgument("the method is " + std::to_string(method) + "; it must be in [0, 3]");
   }
 }
 

@@ -13,6 +13,7 @@
 #include <touchstone/error.hpp>
 #include <touchstone/query.hpp>
 #include <touchstone/separation.hpp>
+#include <touchstone/solve.hpp>
 
 namespace touchstone::c_api {
 
@@ -87,8 +88,22 @@ T grown(const T& given, T defaults, std::size_t least_size, const char* name) {
   return defaults;
 }
 
+/// Options that a function has, as bits. Each has `threads`.
+enum HasOptions : unsigned {
+  kHasTMax = 1,
+  kHasSeparation = 2,  ///< and metric
+  kHasSeparations = 4,
+  kHasKeptFraction = 8,
+  kHasWanted = 16,
+  kHasFloat32 = 32,
+  kHasCheckStart = 64,
+  kHasMethod = 128
+};
+
 /// The options, or those by default for a null pointer.
-touchstone_options options_of(const touchstone_options* options);
+/// @param has  of HasOptions
+/// @throws InvalidArgument  for another option that is not as it is by default
+touchstone_options options_of(const touchstone_options* options, unsigned has);
 
 /// @throws InvalidArgument  for a number that is none of touchstone_kind
 Kind kind_of(int kind);
@@ -98,5 +113,8 @@ Metric metric_of(int metric);
 
 /// @throws InvalidArgument  for a number that is none of touchstone_what_is_wanted
 Wanted wanted_of(int wanted);
+
+/// @throws InvalidArgument  for a number that is none of touchstone_method
+Method method_of(int method);
 
 }  // namespace touchstone::c_api

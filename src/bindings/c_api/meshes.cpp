@@ -109,37 +109,18 @@ Positions positions_of(const Mesh& mesh, const double* first, std::size_t value_
   return {first, mesh.vertex_count(), mesh.dimension()};
 }
 
-/// The options of a mesh, which has its own separations.
-touchstone_options mesh_options(const touchstone_options* given, bool has_float32 = false) {
-  const touchstone_options options = options_of(given);
-  if (options.separations != nullptr || options.separation_count != 0 || options.separation != 0) {
-    throw InvalidArgument("a mesh has its own separations; those of the options must be 0 and null");
-  }
-  metric_of(options.metric);
-  wanted_of(options.wanted);
-  if (options.check_start != 0 && options.check_start != 1) {
-    throw InvalidArgument("check_start is " + std::to_string(options.check_start) + "; it must be 0 or 1");
-  }
-  if (options.float32 != 0 && (options.float32 != 1 || !has_float32)) {
-    throw InvalidArgument("float32 is " + std::to_string(options.float32) +
-                          (has_float32 ? "; it must be 0 or 1" : "; it must be 0: it is an option of free_step"));
-  }
-  return options;
+/// @throws InvalidArgument  for another number than 0 and 1
+bool flag(int value, const char* name) {
+  if (value == 0 || value == 1) return value == 1;
+  throw InvalidArgument(std::string(name) + " is " + std::to_string(value) + "; it must be 0 or 1");
 }
 
 FirstContactOptions asked_of(const touchstone_options& options) {
   FirstContactOptions asked;
   asked.threads = options.threads;
   asked.t_max = options.t_max;
-  asked.check_start = options.check_start == 1;
+  asked.check_start = flag(options.check_start, "check_start");
   return asked;
-}
-
-/// For a function whose result has no place for the answer.
-void refuse_check_start(const touchstone_options& options) {
-  if (options.check_start == 0) return;
-  throw InvalidQuery(
-      "check_start is set; it is an option of first_contact and free_step, and intersections asks about any positions");
 }
 
 /// Refuses a result that its macro did not initialise.
@@ -227,7 +208,7 @@ int touchstone_mesh_first_contact(const touchstone_mesh* mesh, const double* x0,
   clear(at_start);
   return guarded([&] {
     const Mesh& of = required(mesh, "mesh").mesh;
-    const touchstone_options options = mesh_options(given);
+    const touchstone_options options = options_of(given, kHasTMax | kHasCheckStart);
     check_size(required(result, "result"), "result");
     const Positions start = positions_of(of, x0, value_count, "x0"), end = positions_of(of, x1, value_count, "x1");
     FirstContact contact = mesh->steps ? mesh->steps->first_contact(start, end, asked_of(options))
@@ -248,9 +229,8 @@ int touchstone_mesh_all_contacts(const touchstone_mesh* mesh, const double* x0, 
   clear(contacts);
   return guarded([&] {
     const Mesh& of = required(mesh, "mesh").mesh;
-    const touchstone_options options = mesh_options(given);
+    const touchstone_options options = options_of(given, kHasTMax);
     required(contacts, "contacts");
-    refuse_check_start(options);
     const Positions start = positions_of(of, x0, value_count, "x0"), end = positions_of(of, x1, value_count, "x1");
     *contacts = contact_list(mesh->steps ? mesh->steps->all_contacts(start, end, asked_of(options))
                                          : all_contacts(of, start, end, asked_of(options)));
@@ -279,9 +259,8 @@ int touchstone_mesh_intersections(const touchstone_mesh* mesh, const double* x, 
   clear(found);
   return guarded([&] {
     const Mesh& of = required(mesh, "mesh").mesh;
-    const touchstone_options options = mesh_options(given);
+    const touchstone_options options = options_of(given, 0);
     required(found, "intersections");
-    refuse_check_start(options);
     *found = new touchstone_intersections{intersections(of, positions_of(of, x, value_count, "x"), asked_of(options))};
   });
 }
@@ -290,8 +269,7 @@ int touchstone_mesh_intersects(const touchstone_mesh* mesh, const double* x, std
                                const touchstone_options* given, int* found) {
   return guarded([&] {
     const Mesh& of = required(mesh, "mesh").mesh;
-    const touchstone_options options = mesh_options(given);
-    refuse_check_start(options);
+    const touchstone_options options = options_of(given, 0);
     int& told = required(found, "intersects");
     told = intersects(of, positions_of(of, x, value_count, "x"), asked_of(options)) ? 1 : 0;
   });
@@ -327,13 +305,12 @@ int touchstone_mesh_free_step(const touchstone_mesh* mesh, const double* x0, con
                               touchstone_first_contact* contact) {
   return guarded([&] {
     const Mesh& of = required(mesh, "mesh").mesh;
-    const touchstone_options options = mesh_options(given, true);
-    if (!(options.t_max == 1)) throw InvalidArgument("a free step is over [0, 1]: t_max must be 1");
+    const touchstone_options options = options_of(given, kHasKeptFraction | kHasFloat32 | kHasCheckStart);
     array(positions, value_count, 1, "positions");
     if (contact != nullptr) check_size(*contact, "contact");
     FreeStepOptions asked{{options.threads}, options.kept_fraction};
-    asked.check_start = options.check_start == 1;
-    asked.float32 = options.float32 == 1;
+    asked.check_start = flag(options.check_start, "check_start");
+    asked.float32 = flag(options.float32, "float32");
     const Positions start = positions_of(of, x0, value_count, "x0"), end = positions_of(of, x1, value_count, "x1");
     const FreeStep step = mesh->steps ? mesh->steps->free_step(start, end, asked) : free_step(of, start, end, asked);
     std::copy(step.positions.begin(), step.positions.end(), positions);

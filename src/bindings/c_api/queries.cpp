@@ -26,19 +26,12 @@ Query query_of(int kind, const double* start, const double* end) {
   return query;
 }
 
+constexpr unsigned kOfQueries = kHasTMax | kHasSeparation | kHasWanted | kHasMethod;
+
 Separation separation_of(const touchstone_options& options) { return {options.separation, metric_of(options.metric)}; }
 
-/// The options of one query, which takes no list of separations.
-touchstone_options single_options(const touchstone_options* given) {
-  const touchstone_options options = options_of(given);
-  if (options.separations != nullptr || options.separation_count != 0) {
-    throw InvalidArgument("separations are for a batch; one query takes separation");
-  }
-  return options;
-}
-
 BatchOptions batch_options(const touchstone_options* given) {
-  const touchstone_options options = options_of(given);
+  const touchstone_options options = options_of(given, kOfQueries | kHasSeparations);
   BatchOptions batch;
   batch.t_max = options.t_max;
   batch.threads = options.threads;
@@ -46,6 +39,7 @@ BatchOptions batch_options(const touchstone_options* given) {
   batch.separations = array(options.separations, options.separation_count, 1, "separations");
   batch.separation_count = options.separation_count;
   batch.wanted = wanted_of(options.wanted);
+  batch.method = method_of(options.method);
   return batch;
 }
 
@@ -110,9 +104,11 @@ int touchstone_solve(int kind, const double* start, const double* end, const tou
                      touchstone_answer* answer) {
   return guarded([&] {
     const Query query = query_of(kind, start, end);
-    const touchstone_options options = single_options(given);
-    required(answer, "answer") = c_answer(solve(
-        query, {.t_max = options.t_max, .separation = separation_of(options), .wanted = wanted_of(options.wanted)}));
+    const touchstone_options options = options_of(given, kOfQueries);
+    required(answer, "answer") = c_answer(solve(query, {.t_max = options.t_max,
+                                                        .separation = separation_of(options),
+                                                        .method = method_of(options.method),
+                                                        .wanted = wanted_of(options.wanted)}));
   });
 }
 
