@@ -1,14 +1,10 @@
 // Directions that are likely to separate. Nothing here needs to be right: a bad direction only fails to separate.
-// Closest points after Ericson, Real-Time Collision Detection (2005), 5.1.5 and 5.1.9.
 // SPDX-License-Identifier: MIT
-#include <algorithm>
-
 #include "filters/apart/separating_direction.hpp"
+#include "filters/separation/entry_step.hpp"
 
 namespace touchstone::filters {
 namespace {
-
-using geometry::dot;
 
 Vector middle(const RelativeCorners& corners, std::size_t i) noexcept {
   const Vector& a = corners.start[i];
@@ -20,72 +16,16 @@ Vector along(const Vector& p, const Vector& d, double s) noexcept {
   return {{p[0] + s * d[0], p[1] + s * d[1], p[2] + s * d[2]}};
 }
 
-double unit_clamp(double s) noexcept { return std::min(std::max(s, 0.0), 1.0); }
-
-Vector closest_on_segment(const Vector& p, const Vector& x, const Vector& y) noexcept {
-  const Vector d = y - x;
-  const double length2 = dot(d, d);
-  return along(x, d, length2 > 0 ? unit_clamp(dot(p - x, d) / length2) : 0.0);
-}
-
-Vector between_segments(const Vector& p1, const Vector& q1, const Vector& p2, const Vector& q2) noexcept {
-  const Vector d1 = q1 - p1;
-  const Vector d2 = q2 - p2;
-  const Vector r = p1 - p2;
-  const double a = dot(d1, d1);
-  const double e = dot(d2, d2);
-  const double f = dot(d2, r);
-  const double c = dot(d1, r);
-  const double b = dot(d1, d2);
-  const double denominator = a * e - b * b;
-  double s = denominator > 0 ? unit_clamp((b * f - c * e) / denominator) : 0.0;
-  double t = e > 0 ? (b * s + f) / e : 0.0;
-  if (t < 0) {
-    t = 0;
-    s = a > 0 ? unit_clamp(-c / a) : 0.0;
-  } else if (t > 1) {
-    t = 1;
-    s = a > 0 ? unit_clamp((b - c) / a) : 0.0;
-  }
-  return along(p2, d2, t) - along(p1, d1, s);
-}
-
-Vector between_point_and_triangle(const Vector& p, const Vector& a, const Vector& b, const Vector& c) noexcept {
-  const Vector ab = b - a;
-  const Vector ac = c - a;
-  const Vector ap = p - a;
-  const double d1 = dot(ab, ap);
-  const double d2 = dot(ac, ap);
-  if (d1 <= 0 && d2 <= 0) return a - p;
-  const Vector bp = p - b;
-  const double d3 = dot(ab, bp);
-  const double d4 = dot(ac, bp);
-  if (d3 >= 0 && d4 <= d3) return b - p;
-  const Vector cp = p - c;
-  const double d5 = dot(ab, cp);
-  const double d6 = dot(ac, cp);
-  if (d6 >= 0 && d5 <= d6) return c - p;
-  const double vc = d1 * d4 - d3 * d2;
-  if (vc <= 0 && d1 >= 0 && d3 <= 0) return closest_on_segment(p, a, b) - p;
-  const double vb = d5 * d2 - d1 * d6;
-  if (vb <= 0 && d2 >= 0 && d6 <= 0) return closest_on_segment(p, a, c) - p;
-  const double va = d3 * d6 - d5 * d4;
-  if (va <= 0 && d4 - d3 >= 0 && d5 - d6 >= 0) return closest_on_segment(p, b, c) - p;
-  return geometry::cross(ab, ac);
-}
-
 }  // namespace
 
 Vector between_closest_points(const RelativeCorners& corners, Kind kind) noexcept {
-  const Vector x0 = middle(corners, 0);
-  const Vector x1 = middle(corners, 1);
-  switch (kind) {
-    case Kind::edge_edge: return between_segments(x0, x1, middle(corners, 2), middle(corners, 3));
-    case Kind::vertex_face: return between_point_and_triangle(x0, x1, middle(corners, 2), middle(corners, 3));
-    case Kind::point_edge: return closest_on_segment(x0, x1, middle(corners, 2)) - x0;
-    case Kind::point_point: break;
-  }
-  return x1 - x0;
+  const Differences d = differences_of(kind);
+  const auto difference = [&](const Difference& of) { return middle(corners, of.one) - middle(corners, of.other); };
+  const Vector r = difference(d.r), u = difference(d.u), w = difference(d.w);
+  const auto [s, q] = closest(domain_of(kind), r, u, w);
+  // Within a face the two points are so near each other that their difference may have no good digit.
+  if (kind == Kind::vertex_face && s > 0 && q > 0 && s + q < 1) return geometry::cross(u, w);
+  return combined(r, u, w, s, q);
 }
 
 Vector normal_at_mid_step(const RelativeCorners& corners, Kind kind) noexcept {
