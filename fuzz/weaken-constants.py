@@ -246,6 +246,12 @@ MESH_FAULTS = [
      "more = std::max(more, reach_.of_ways[corner]);",
      "reach = std::max(reach, reach_.of_ways[corner] + (reach_.of_vertices.empty() ? 0 :"
      " reach_.of_vertices[corner]));"),
+    ("a way until a time", "mesh/candidates.cpp", "fraction / (1 - fraction) * until",
+     "fraction / (1 - fraction) * until * until"),
+    ("time of a contact that is known", "mesh/contacts.cpp", "std::min(search.t_max, search.known_by)",
+     "std::min(search.t_max, search.known_by / 2)"),
+    ("ways of a pair that keeps its distance", "mesh/narrow.cpp", "t_max * (greatest[0] + greatest[1])",
+     "t_max * greatest[0]"),
     ("boxes of what a face stands for", "mesh/candidates.cpp", "!meet(a.box, b.box, until_)", "false"),
     ("vertices that a face stands for", "mesh/mesh.cpp", "corners[i]], 1) == 0)", "corners[i]], 1) == 0 && i > 0)"),
     ("pieces that meet", "mesh/inside.cpp", "if (a != b) pairs.insert({{a, b}, {b, a}});", ""),

@@ -10,6 +10,7 @@
 
 #include <touchstone/touchstone.hpp>
 
+#include "mesh/same_bytes.hpp"
 #include "mesh/scenes.hpp"
 #include "numbers/integers/exact_number.hpp"
 #include "support/catch.hpp"
@@ -148,6 +149,27 @@ TEST_CASE("the path of a free step is free by brute force, and ends at the round
   }
   CHECK(quantile(0.5) < 1);
   CHECK(lost.back() < 4);
+}
+
+TEST_CASE("a pair that comes too near and never meets is found though another one meets soon after") {
+  MeshElements elements;
+  elements.vertex_count = 6;
+  elements.edges = {{4, 5}};
+  const Mesh mesh(elements);
+  // Points 0 and 1 meet at t = 1/1000. Points 2 and 3 pass by each other: they are sqrt(2) apart, and 0.9 of that at
+  // t = 8.5e-5. Points 0 and 1 have 0.9 of their distance at 1e-4.
+  const std::vector<double> x0 = {0, 0, 0, 1, 0, 0, 0, 0, 1e6, 1, 1, 1e6, 0, 1e6, 0, 1, 1e6, 0};
+  std::vector<double> x1 = x0;
+  x1[0] += 500, x1[3] -= 500, x1[6] += 1250, x1[9] -= 1250;
+  FreeStepOptions options;
+  options.kept_fraction = 0.9;
+  const FreeStep step = free_step(mesh, {x0, 3}, {x1, 3}, options);
+  CHECK(step.outcome == StepOutcome::shortened);
+  REQUIRE(step.first_contact.first.size() == 1);
+  CHECK(step.first_contact.first[0].pair == MeshPair{Kind::point_point, 2, 3});
+  CHECK(std::fabs(step.length - (1 - std::sqrt(0.81 * 2 - 1)) / 2500) < 1e-9);
+  MeshSteps steps(mesh);
+  for (int i = 0; i < 3; ++i) CHECK(same_bytes(steps.free_step({x0, 3}, {x1, 3}, options), step));
 }
 
 TEST_CASE("with float32 a step ends at floats, and its path is free by brute force") {

@@ -6,7 +6,6 @@
 #include <limits>
 #include <mutex>
 #include <utility>
-#include <vector>
 
 #include "filters/separation/distance_bound.hpp"
 #include "mesh/narrow.hpp"
@@ -23,9 +22,6 @@ constexpr double Vec3::*kAxes[3] = {&Vec3::x, &Vec3::y, &Vec3::z};
 /// The margin as a fraction of an edge's length: steps of a simulation are a small part of it, and the candidates are
 /// hardly more.
 constexpr double kMarginOfEdge = 0x1p-4;
-
-/// So many edges, evenly by their numbers, stand for all: a margin only has to be of use.
-constexpr std::size_t kEdgesToMeasure = 1001;
 
 /// The margin as a fraction of the largest coordinate, at least. A coordinate y(s) of the reference is computed with
 /// products and sums of relative error 2^-53 each, so it is off by less than 2^-50 of that coordinate, but for
@@ -47,21 +43,6 @@ double largest_coordinate(const Motion& motion) noexcept {
     }
   }
   return largest;
-}
-
-/// The median, of the positions at the start; 0 without edges. A floor of two large faces does not change it.
-double usual_edge_length(const Mesh::Impl& mesh, const Motion& motion) {
-  const std::size_t count = std::min(kEdgesToMeasure, mesh.edges.size());
-  if (count == 0) return 0;
-  std::vector<double> lengths(count);
-  for (std::size_t i = 0; i < count; ++i) {
-    const auto& edge = mesh.edges[i * mesh.edges.size() / count];
-    const Vec3 &a = motion[edge[0]].start, &b = motion[edge[1]].start;
-    lengths[i] = std::hypot(a.x - b.x, a.y - b.y, a.z - b.z);
-  }
-  const auto middle = lengths.begin() + static_cast<std::ptrdiff_t>(count / 2);
-  std::nth_element(lengths.begin(), middle, lengths.end());
-  return *middle;
 }
 
 /// The pairs that may come as near as they are to keep, in a motion within the margin of the reference.
@@ -209,7 +190,8 @@ void CandidateSearch::for_each_block(const Motion& motion, double kept_fraction,
     return;
   }
   ++searches_;
-  for_each_candidate_block(mesh_, motion, reach_of(mesh_, motion, kept_fraction), search, take);
+  const Reach reach = reach_of(mesh_, motion, kept_fraction, broad_phase::until(search));
+  for_each_candidate_block(mesh_, motion, reach, search, take);
 }
 
 }  // namespace touchstone::mesh

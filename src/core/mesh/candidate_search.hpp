@@ -29,7 +29,7 @@ class CandidateSearch {
   explicit CandidateSearch(const Mesh::Impl& mesh) : mesh_(mesh) {}
 
   /// Hands out, once, each pair that may collide and may come as near as it is to keep, and perhaps others that may
-  /// collide. `search.until` has no effect on pairs that are kept.
+  /// collide. Pairs that come so near after search.until need not be found, and are found among those that are kept.
   void for_each_block(const Motion& motion, double kept_fraction, const broad_phase::PairSearch& search,
                       const std::atomic<bool>* stop, const CandidateConsumer& take);
 

@@ -268,11 +268,6 @@ Kind kind_of(MeshElement first, MeshElement second) noexcept {
 
 constexpr double kRoomOfBounds = 0x1p-15;
 
-/// The greatest distance of a vertex from its start, or a little more.
-double displacement(const MovingVertex& vertex) noexcept {
-  return std::hypot(vertex.end.x - vertex.start.x, vertex.end.y - vertex.start.y, vertex.end.z - vertex.start.z);
-}
-
 }  // namespace
 
 Reach reach_of_separations(const Mesh::Impl& mesh) {
@@ -294,14 +289,14 @@ Reach reach_of_separations(const Mesh::Impl& mesh) {
 }
 
 // A pair's distance falls by at most the sum of the greatest displacements of its elements' corners, since a point of
-// an element is a convex combination of them. If it falls from D0 to d + fraction (D0 - d), it falls by
-// (1 - fraction) (D0 - d). So D0 - d is at most the displacements over 1 - fraction, and the elements are then within d
-// plus the fraction of that, also along each axis.
+// an element is a convex combination of them, and by at most a part t of that sum until the time t. If it falls from D0
+// to d + fraction (D0 - d), it falls by (1 - fraction) (D0 - d). So D0 - d is at most that over 1 - fraction, and the
+// elements are then within d plus the fraction of that, also along each axis.
 // The distance to keep is computed with a bound of D0 that is greater by up to a part b of it: b = 2^-20 where the
 // fraction is at most kMostBounded, and some 2^-53 elsewhere. With f (1 + b) in place of f, d + f (D0 - d) grows by
 // less than kRoomOfBounds of itself for b = 2^-20 and f <= 0.9, and for b = 2^-50 and f <= 1 - 2^-30. Beyond that, no
 // pair is lost for what it is to keep exactly, but one may be for what that is rounded to.
-Reach reach_of_fraction(const Mesh::Impl& mesh, const Motion& motion, double fraction) {
+Reach reach_of_fraction(const Mesh::Impl& mesh, const Motion& motion, double fraction, double until) {
   Reach reach = reach_of_separations(mesh);
   // At least the least normal number: what is rounded up by some doubles among the subnormal ones is below that.
   const auto with_more_room = [](double length) {
@@ -309,14 +304,14 @@ Reach reach_of_fraction(const Mesh::Impl& mesh, const Motion& motion, double fra
   };
   reach.same = with_more_room(reach.same);
   for (double& one : reach.of_vertices) one = with_more_room(one);
-  const double ratio = fraction / (1 - fraction);
+  const double ratio = fraction / (1 - fraction) * until;
   reach.of_ways.reserve(motion.size());
-  for (const MovingVertex& vertex : motion) reach.of_ways.push_back(with_more_room(ratio * displacement(vertex)));
+  for (const MovingVertex& vertex : motion) reach.of_ways.push_back(with_more_room(ratio * way_of(vertex)));
   return reach;
 }
 
-Reach reach_of(const Mesh::Impl& mesh, const Motion& motion, double kept_fraction) {
-  return kept_fraction == 0 ? reach_of_separations(mesh) : reach_of_fraction(mesh, motion, kept_fraction);
+Reach reach_of(const Mesh::Impl& mesh, const Motion& motion, double kept_fraction, double until) {
+  return kept_fraction == 0 ? reach_of_separations(mesh) : reach_of_fraction(mesh, motion, kept_fraction, until);
 }
 
 void for_each_candidate_block(const Mesh::Impl& mesh, const Motion& motion, const Reach& reach,

@@ -30,12 +30,12 @@ struct Reach {
 /// The reach that finds every pair whose distance falls to its separation or below.
 Reach reach_of_separations(const Mesh::Impl& mesh);
 
-/// The reach that finds every pair whose distance may fall from D0 at the start to d + fraction (D0 - d) or below, for
-/// the separation d. 0 <= fraction < 1.
-Reach reach_of_fraction(const Mesh::Impl& mesh, const Motion& motion, double fraction);
+/// The reach that finds every pair whose distance may fall by the time `until` in [0, 1] from D0 at the start to
+/// d + fraction (D0 - d) or below, for the separation d. 0 <= fraction < 1.
+Reach reach_of_fraction(const Mesh::Impl& mesh, const Motion& motion, double fraction, double until);
 
 /// That of the fraction, or of the separations where it is 0.
-Reach reach_of(const Mesh::Impl& mesh, const Motion& motion, double kept_fraction);
+Reach reach_of(const Mesh::Impl& mesh, const Motion& motion, double kept_fraction, double until = 1);
 
 /// Takes at most broad_phase::kPairBlock pairs of a kind. Several threads may call it at the same time.
 using CandidateConsumer = std::function<void(Kind kind, const broad_phase::Pair* pairs, std::size_t count)>;

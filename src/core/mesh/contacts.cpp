@@ -118,15 +118,14 @@ void for_each_near_block(const Mesh::Impl& mesh, const Motion& motion, const Con
   if (search.candidates != nullptr) {
     search.candidates->for_each_block(motion, search.kept_fraction, pairs, search.stop, take);
   } else {
-    for_each_candidate_block(mesh, motion, reach_of(mesh, motion, search.kept_fraction), pairs, take);
+    for_each_candidate_block(mesh, motion, reach_of(mesh, motion, search.kept_fraction, broad_phase::until(pairs)),
+                             pairs, take);
   }
 }
 
-}  // namespace
-
-FirstContact find_first(const Mesh::Impl& mesh, const Motion& motion, const ContactSearch& search) {
+/// Tells of all contacts that may be the earliest, and of those at the start.
+void find_earliest(const Mesh::Impl& mesh, const Motion& motion, const ContactSearch& search, Earliest& earliest) {
   const KeptDistances distances(mesh, motion, search.kept_fraction);
-  Earliest earliest(search.t_max);
   const ContactConsumer tell = [&](const MeshPair& pair, double distance, const Answer& answer) {
     earliest.tell(pair, distance, answer);
   };
@@ -136,6 +135,22 @@ FirstContact find_first(const Mesh::Impl& mesh, const Motion& motion, const Cont
                         const double t_max = earliest.until().load(std::memory_order_relaxed);
                         for_each_contact(mesh, motion, distances, kind, pairs, count, t_max, Wanted::time, tell);
                       });
+}
+
+}  // namespace
+
+double first_time(const Mesh::Impl& mesh, const Motion& motion, const ContactSearch& search) {
+  ContactSearch touching = search;
+  touching.kept_fraction = 0;
+  touching.candidates = nullptr;
+  Earliest earliest(search.t_max);
+  find_earliest(mesh, motion, touching, earliest);
+  return earliest.until();
+}
+
+FirstContact find_first(const Mesh::Impl& mesh, const Motion& motion, const ContactSearch& search) {
+  Earliest earliest(std::min(search.t_max, search.known_by));
+  find_earliest(mesh, motion, search, earliest);
   FirstContact result;
   result.contact = !earliest.first().empty();
   result.toi = earliest.toi();

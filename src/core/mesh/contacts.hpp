@@ -20,6 +20,7 @@ struct ContactSearch {
   const std::atomic<bool>* stop = nullptr;  ///< as in MeshOptions
   bool check_start = false;                 ///< as in FirstContactOptions; find_all does not use it
   CandidateSearch* candidates = nullptr;    ///< keeps candidates from question to question; null: they are found anew
+  double known_by = 1;                      ///< of find_first: a time in [0, 1] by which there is a contact, or 1
 };
 
 /// What a question about a step needs room for.
@@ -30,6 +31,10 @@ struct StepMemory {
 };
 
 FirstContact find_first(const Mesh::Impl& mesh, const Motion& motion, const ContactSearch& search);
+
+/// The first time at which a pair comes into contact, or up to a double later; search.t_max where none does. What is to
+/// be kept of distances counts for nothing, nor do contacts at the start.
+double first_time(const Mesh::Impl& mesh, const Motion& motion, const ContactSearch& search);
 
 /// In the order of all_contacts.
 std::vector<MeshContact> find_all(const Mesh::Impl& mesh, const Motion& motion, const ContactSearch& search);

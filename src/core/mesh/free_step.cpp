@@ -176,6 +176,13 @@ bool is_in_contact(const Mesh::Impl& mesh, const Motion& step, const std::vector
   });
 }
 
+/// Whether the boxes of a step that keeps this fraction reach far beyond their elements.
+bool reaches_far(const Mesh::Impl& mesh, const Motion& step, double fraction) {
+  constexpr double kMuchOfEdge = 0.5;
+  if (fraction == 0 || mesh.edges.empty()) return false;
+  return fraction / (1 - fraction) * usual_way(step) > kMuchOfEdge * usual_edge_length(mesh, step);
+}
+
 TOUCHSTONE_BEHIND_GUARD FreeStep find_step(const Mesh::Impl& mesh, const Positions& x0, const Positions& x1,
                                            const FreeStepOptions& options, StepMemory& memory) {
   set_motion(memory.motion, mesh, x0, x1, options.threads);
@@ -184,7 +191,10 @@ TOUCHSTONE_BEHIND_GUARD FreeStep find_step(const Mesh::Impl& mesh, const Positio
   const ContactSearch search{
       1, options.threads, options.kept_fraction, options.stop, options.check_start, memory.candidates()};
   FreeStep result;
-  result.first_contact = find_first(mesh, step, search);
+  ContactSearch first = search;
+  // Elements come as near as they are to keep before they touch. If they touch soon, boxes reach less far until then.
+  if (reaches_far(mesh, step, options.kept_fraction)) first.known_by = first_time(mesh, step, search);
+  result.first_contact = find_first(mesh, step, first);
   result.proofs = 1;
   if (!result.first_contact.at_start.empty() || !result.first_contact.start_intersections.empty()) {
     result.outcome = is_in_contact(mesh, step, result.first_contact.at_start) ? StepOutcome::contact_at_start

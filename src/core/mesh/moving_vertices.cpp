@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "mesh/moving_vertices.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <cstdio>
 #include <string>
+#include <vector>
 
 #include <touchstone/error.hpp>
 
@@ -81,6 +84,37 @@ Motion motion_of(const Mesh::Impl& mesh, const Positions& x0, const Positions& x
   Motion motion;
   set_motion(motion, mesh, x0, x1, threads);
   return motion;
+}
+
+namespace {
+
+double length_between(const Vec3& a, const Vec3& b) noexcept { return std::hypot(a.x - b.x, a.y - b.y, a.z - b.z); }
+
+/// The median of some lengths, evenly by their numbers; 0 of none.
+template <class LengthOf>
+double usual_length(std::size_t count, const LengthOf& length_of) {
+  constexpr std::size_t kMost = 1001;
+  const std::size_t taken = std::min(kMost, count);
+  if (taken == 0) return 0;
+  std::vector<double> lengths(taken);
+  for (std::size_t i = 0; i < taken; ++i) lengths[i] = length_of(i * count / taken);
+  const auto middle = lengths.begin() + static_cast<std::ptrdiff_t>(taken / 2);
+  std::nth_element(lengths.begin(), middle, lengths.end());
+  return *middle;
+}
+
+}  // namespace
+
+double way_of(const MovingVertex& vertex) noexcept { return length_between(vertex.start, vertex.end); }
+
+double usual_edge_length(const Mesh::Impl& mesh, const Motion& motion) {
+  return usual_length(mesh.edges.size(), [&](std::size_t e) {
+    return length_between(motion[mesh.edges[e][0]].start, motion[mesh.edges[e][1]].start);
+  });
+}
+
+double usual_way(const Motion& motion) {
+  return usual_length(motion.size(), [&](std::size_t v) { return way_of(motion[v]); });
 }
 
 Query query_of(const Motion& motion, Kind kind, const std::array<Index, 4>& corners) noexcept {

@@ -31,6 +31,14 @@ using Motion = broad_phase::LargeVector<MovingVertex>;
 void set_motion(Motion& motion, const Mesh::Impl& mesh, const Positions& x0, const Positions& x1, int threads);
 Motion motion_of(const Mesh::Impl& mesh, const Positions& x0, const Positions& x1, int threads);
 
+/// How far a vertex moves, or a little more or less.
+double way_of(const MovingVertex& vertex) noexcept;
+
+/// What is usual: the median length of an edge at the start, and of a vertex's way. Some edges and vertices, evenly by
+/// their numbers, stand for all: so a floor of two large faces counts for little. 0 without edges or vertices.
+double usual_edge_length(const Mesh::Impl& mesh, const Motion& motion);
+double usual_way(const Motion& motion);
+
 /// The query of the vertices `corners`, as many as the kind has.
 Query query_of(const Motion& motion, Kind kind, const std::array<Index, 4>& corners) noexcept;
 

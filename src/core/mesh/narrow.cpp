@@ -56,6 +56,13 @@ void ColumnBlock::solve(double t_max, Wanted wanted, Metric metric, const double
   solve_batch(columns_, answers_, options);
 }
 
+KeptDistances::KeptDistances(const Mesh::Impl& mesh, const Motion& motion, double fraction)
+    : mesh_(mesh), motion_(motion), fraction_(fraction) {
+  if (fraction == 0) return;
+  ways_.reserve(motion.size());
+  for (const MovingVertex& vertex : motion) ways_.push_back(with_room(way_of(vertex)));
+}
+
 // Each operation is rounded up, and d + fraction (D0 - d) rises with each of its parts.
 double KeptDistances::kept(double separation, double at_start) const noexcept {
   const auto upwards = [](double x) { return std::nextafter(x, kInfinity); };
@@ -66,12 +73,12 @@ double KeptDistances::kept(double separation, double at_start) const noexcept {
 
 KeptDistances::Kept KeptDistances::quick(const MeshPair& pair, const std::array<Index, 4>& corners) const {
   const double separation = separation_of(mesh_, pair, corners);
-  if (fraction_ == 0) return {separation, false};
+  if (fraction_ == 0) return {separation, false, 0};
   if (fraction_ <= kMostBounded && metric() == Metric::euclidean) {
     const auto bound = filters::distance_bound(query_of(motion_, pair.kind, corners), 0);
     // So the distance to keep grows by less than 2^-10 of its excess over the separation.
     if (bound && filters::kLoosestBound * *bound <= 0x1p-11 * (*bound - separation)) {
-      return {kept(separation, *bound), false};
+      return {kept(separation, *bound), false, *bound * (1 - 2 * filters::kLoosestBound)};
     }
   }
   // The distance of the elements is at most that of their nearest corners.
@@ -82,7 +89,21 @@ KeptDistances::Kept KeptDistances::quick(const MeshPair& pair, const std::array<
       nearest = std::min(nearest, std::hypot(a.x - b.x, a.y - b.y, a.z - b.z));
     }
   }
-  return {kept(separation, with_room(nearest)), true};
+  return {kept(separation, with_room(nearest)), true, 0};
+}
+
+// A distance falls by at most the sum of the greatest ways of the elements' corners, as each point of an element is a
+// convex combination of them, and by a part t of it until the time t.
+bool KeptDistances::keeps(const Kept& kept, Kind kind, const std::array<Index, 4>& corners,
+                          double t_max) const noexcept {
+  if (!(kept.least_at_0 > kept.distance)) return false;
+  constexpr double kRoundings = 1 + 0x1p-40;  // of the sums and the product
+  std::array<double, 2> greatest{};
+  for (std::size_t c = 0; c < corner_count(kind); ++c) {
+    double& way = greatest[c < geometry::corners_of_first(kind) ? 0 : 1];
+    way = std::max(way, ways_[corners[c]]);
+  }
+  return kept.least_at_0 > (kept.distance + t_max * (greatest[0] + greatest[1])) * kRoundings;
 }
 
 double KeptDistances::exact(const MeshPair& pair, const std::array<Index, 4>& corners) const {
@@ -99,6 +120,7 @@ void for_each_contact(const Mesh::Impl& mesh, const Motion& motion, const KeptDi
   std::array<double, ColumnBlock::kQueries> kept;
   std::array<bool, ColumnBlock::kQueries> is_bound{};
   std::array<std::array<Index, 4>, ColumnBlock::kQueries> all_corners;
+  std::array<std::size_t, ColumnBlock::kQueries> numbers;
   const bool without_distances = distances.are_zero();
   const std::size_t corners_each = corner_count(kind);
   for (std::size_t begin = 0; begin < count; begin += ColumnBlock::kQueries) {
@@ -106,20 +128,23 @@ void for_each_contact(const Mesh::Impl& mesh, const Motion& motion, const KeptDi
     columns.clear();
     for (std::size_t i = 0; i < size; ++i) {
       const MeshPair pair{kind, pairs[begin + i][0], pairs[begin + i][1]};
-      const auto& corners = all_corners[i] = corners_of(mesh, pair);
-      for (std::size_t c = 0; c < corners_each; ++c) columns.set(c, motion[corners[c]].start, motion[corners[c]].end);
+      const std::size_t at = columns.size();
+      const auto& corners = all_corners[at] = corners_of(mesh, pair);
       if (!without_distances) {
         const KeptDistances::Kept quick = distances.quick(pair, corners);
-        kept[i] = quick.distance;
-        is_bound[i] = quick.is_bound;
+        if (distances.keeps(quick, kind, corners, t_max)) continue;
+        kept[at] = quick.distance;
+        is_bound[at] = quick.is_bound;
       }
+      numbers[at] = begin + i;
+      for (std::size_t c = 0; c < corners_each; ++c) columns.set(c, motion[corners[c]].start, motion[corners[c]].end);
       columns.finish_query();
     }
     columns.solve(t_max, wanted, distances.metric(), without_distances ? nullptr : kept.data());
-    for (std::size_t i = 0; i < size; ++i) {
+    for (std::size_t i = 0; i < columns.size(); ++i) {
       const Answer& answer = columns.answers()[i];
       if (!answer.contact) continue;
-      const MeshPair pair{kind, pairs[begin + i][0], pairs[begin + i][1]};
+      const MeshPair pair{kind, pairs[numbers[i]][0], pairs[numbers[i]][1]};
       if (!is_bound[i]) {
         contact(pair, without_distances ? 0 : kept[i], answer);
         continue;

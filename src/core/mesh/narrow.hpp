@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <vector>
 
 #include <touchstone/answer.hpp>
 #include <touchstone/mesh.hpp>
@@ -19,8 +20,7 @@ namespace touchstone::mesh {
 /// at the start. Where it is quick, the bound of D0 by distance_bound stands for D0.
 class KeptDistances {
  public:
-  KeptDistances(const Mesh::Impl& mesh, const Motion& motion, double fraction)
-      : mesh_(mesh), motion_(motion), fraction_(fraction) {}
+  KeptDistances(const Mesh::Impl& mesh, const Motion& motion, double fraction);
 
   /// Whether every pair is only asked to touch nothing.
   bool are_zero() const noexcept {
@@ -30,7 +30,8 @@ class KeptDistances {
 
   struct Kept {
     double distance;
-    bool is_bound;  ///< it is at least the pair's, which `exact` finds
+    bool is_bound;      ///< it is at least the pair's, which `exact` finds
+    double least_at_0;  ///< at most D0; 0 where that is not known
   };
 
   /// The pair's, or a bound, if that is much faster to find.
@@ -38,12 +39,16 @@ class KeptDistances {
 
   double exact(const MeshPair& pair, const std::array<Index, 4>& corners) const;
 
+  /// True proves that the pair is farther apart than that at all times until t_max.
+  bool keeps(const Kept& kept, Kind kind, const std::array<Index, 4>& corners, double t_max) const noexcept;
+
  private:
   double kept(double separation, double at_start) const noexcept;
 
   const Mesh::Impl& mesh_;
   const Motion& motion_;
   double fraction_;
+  std::vector<double> ways_;  ///< of vertices, how far they move; empty where the fraction is 0
 };
 
 /// Called for pairs in contact: contact(pair, distance that it is to keep, answer).
