@@ -33,7 +33,7 @@ extern "C" {
 #endif
 
 /** The version of this interface. A number is added for each addition; nothing is taken away under one number. */
-#define TOUCHSTONE_C_VERSION 5
+#define TOUCHSTONE_C_VERSION 6
 
 /** The values that functions return. */
 enum touchstone_status_code {
@@ -53,7 +53,7 @@ enum touchstone_what_is_wanted {
   TOUCHSTONE_WANTED_CONTACT = 3   /**< whether there is one */
 };
 
-/** How queries are decided. Both exact ones agree in all but the level, and the oracle shares no code with them. */
+/** How queries are decided. The answers are the same, but for the level and the last digits of weights. */
 enum touchstone_method {
   TOUCHSTONE_METHOD_FAST = 0,     /**< error-bounded filters, and exact arithmetic where they are uncertain */
   TOUCHSTONE_METHOD_EXACT = 1,    /**< exact arithmetic alone */
@@ -91,12 +91,17 @@ struct touchstone_options {
    *  at the start, and no pair touches, no contact need follow. */
   int32_t check_start;
 
-  int32_t method; /**< of touchstone_solve and batches: one of touchstone_method */
+  int32_t reserved;   /**< of no meaning; earlier structures end here */
+  int32_t method;     /**< of touchstone_solve and batches: one of touchstone_method */
+  int32_t reserved_2; /**< of no meaning */
 };
 
 /** The options by default: the whole step, touching, one thread. */
-#define TOUCHSTONE_OPTIONS_INIT \
-  { sizeof(struct touchstone_options), 1.0, 1, 0, 0.0, NULL, 0, 0.0, TOUCHSTONE_WANTED_ALL, 0, 0, TOUCHSTONE_METHOD_FAST }
+#define TOUCHSTONE_OPTIONS_INIT                                                                      \
+  {                                                                                                  \
+    sizeof(struct touchstone_options), 1.0, 1, 0, 0.0, NULL, 0, 0.0, TOUCHSTONE_WANTED_ALL, 0, 0, 0, \
+        TOUCHSTONE_METHOD_FAST, 0                                                                    \
+  }
 
 /** The answer to one query. Without contact both times are infinity, and only `contact` and `level` have a meaning.
  *  Names for the numbers: touchstone_nature_name and the other functions that end in _name. */
