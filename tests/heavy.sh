@@ -88,7 +88,7 @@ run_plain() {
   install_missing
   build_preset plain touchstone_installed
 }
-run_tests() { "$touchstone_root/tests/run-all.sh"; }
+run_tests() { TOUCHSTONE_EFFORT=1 "$touchstone_root/tests/run-all.sh"; }
 
 part=1 parts=1
 case ${1:-} in

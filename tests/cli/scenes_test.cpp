@@ -1,6 +1,7 @@
 // touchstone scenes: steps of scenes as the public data set has them, against a truth that is known here; and the
 // public scenes themselves, where they are.
 // SPDX-License-Identifier: MIT
+#include <cstdio>
 #include <filesystem>
 #include <memory>
 #include <string>
@@ -133,7 +134,8 @@ TEST_CASE("the public scenes have exactly the contacts that their truth says", "
     skip("TOUCHSTONE_QUERY_DATA names no folder with the public scenes");
     return;
   }
-  if (!whole_effort("the public scenes but cloth-funnel")) {
+  if (TOUCHSTONE_SLOW_BUILD) {
+    std::printf("not checked in this build: the public scenes but cloth-funnel\n");
     const Run one = run_program({"scenes", data + "/scenes/cloth-funnel"});
     CAPTURE(one.out, one.err);
     CHECK(one.status == 0);

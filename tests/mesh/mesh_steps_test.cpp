@@ -25,7 +25,7 @@ std::vector<double> between(const std::vector<double>& x0, const std::vector<dou
 }
 
 double median_edge_length(const Mesh& mesh, const std::vector<double>& x) {
-  std::vector<double> lengths = {0};
+  std::vector<double> lengths;
   const auto n = static_cast<std::size_t>(mesh.dimension());
   for (const auto& edge : mesh.edges()) {
     double square = 0;
@@ -33,7 +33,7 @@ double median_edge_length(const Mesh& mesh, const std::vector<double>& x) {
     lengths.push_back(std::sqrt(square));
   }
   std::sort(lengths.begin(), lengths.end());
-  return lengths[lengths.size() / 2];
+  return lengths.empty() ? 0 : lengths[lengths.size() / 2];
 }
 
 /// The edges 01 and 23.

@@ -9,6 +9,7 @@
 #include <limits>
 #include <optional>
 
+#include <touchstone/error.hpp>
 #include <touchstone/solve.hpp>
 
 #include "cli/scenes/public_scene.hpp"
@@ -91,7 +92,10 @@ void time_answers(const PublicStep& step, const std::vector<MeshPair>& pairs, in
 StepResult check(const PublicStep& step, int threads) {
   StepResult result;
   const Positions x0(step.x0, 3), x1(step.x1, 3);
-  result.memory = report::run_in_own_process([] {}, [&] { return first_contact(step.mesh, x0, x1).contact; }).memory;
+  try {
+    result.memory = report::run_in_own_process([] {}, [&] { return first_contact(step.mesh, x0, x1).contact; }).memory;
+  } catch (const Error&) {  // no process can be started, or it lacks memory: the rest does not need it
+  }
   StepOptions options;
   options.threads = threads;
   FirstContactOptions first_options;
