@@ -62,7 +62,8 @@ class WithRescaling<Base, std::void_t<decltype(std::declval<Base&>().conservativ
 /// are in contact while their distance is at most min_distance. With the rescaling 1, a function returns true exactly
 /// when there is contact in [0, tmax]. Then toi is 0 if the elements are in contact at t = 0. Otherwise toi is strictly
 /// before the first contact, and greater than 0 if some double is. The step x0 + toi (x1 - x0), rounded to doubles, is
-/// free of contact: that very step was asked about. Without contact toi is infinity.
+/// free of contact: that very step was asked about. Where x1 - x0 overflows, half of it stands in its place. Without
+/// contact toi is infinity.
 ///
 /// With a rescaling s below 1, toi is the first time at which the distance is down to min_distance + (1 - s) (d0 -
 /// min_distance), where d0 is the distance at t = 0, or up to s 2^-10 of that gap more. ipc-toolkit passes the least
@@ -160,8 +161,8 @@ class ExactNarrowPhaseCCD : public detail::WithRescaling<ipc::NarrowPhaseCCD> {
 
   /// With a rescaling below 1: true proves that the time before contact is tmax or later. Until then the distance is
   /// more than the kept one, and so it is up to the time at which it comes down to that. There each coordinate of a
-  /// rounded position is off by less than 5/8 2^-50 of the largest one, and the elements' distance by less than 2 sqrt(3)
-  /// times that, which is less than the kept distance has beyond min_distance: so the time is not made sooner.
+  /// rounded position is off by less than 5/8 2^-50 of the largest one, and the elements' distance by less than
+  /// 2 sqrt(3) times that: by less than the kept distance exceeds min_distance. So the time is not made sooner.
   bool keeps_its_distance(const Query& query, double min_distance, double tmax) const {
     const double kept = kept_distance(query, min_distance);
     const double rounding = kRoundingReserve * largest_coordinate(query);

@@ -18,13 +18,14 @@ inline namespace TOUCHSTONE_ABI {
 /// A step is kept as the *reference* for those after it. A question is like the reference if all vertices start within
 /// a margin of where they started there, and end within the margin of where they were after a fraction s of it, one s
 /// for all vertices, and if its kept_fraction is no greater. The margin is 3/64 of the median length of an edge, along
-/// each axis; a mesh without edges has next to none. Nothing is kept for a kept_fraction beyond 0.9. Another question
-/// is answered as by the functions, and becomes the reference.
+/// each axis: the median of up to 1,001 edges, evenly by their numbers. A mesh without edges has next to none. Nothing
+/// is kept for a kept_fraction beyond 0.9. Another question is answered as by the functions, and becomes the reference.
 ///
 /// The pairs that may meet in such questions are found once, by a search that takes longer than that for one step: in
 /// the first question about a reference, or in the second one where those of the reference before were of no use.
 /// Nothing is kept where elements are so crowded that for each vertex and edge the boxes of more than 16 pairs meet,
-/// wider by the margin, or with a kept_fraction f by (1 + 4 f / (1 - f)) times as much.
+/// wider by the margin, or with a kept_fraction f by (1 + 4 f / (1 - f)) times as much and f / (1 - f) of the ways of
+/// their vertices.
 ///
 /// It holds 96 bytes for each vertex, and 8 for each of the pairs that are kept, up to twice the most of them so far:
 /// no boxes, nor their tree. One object is used by one thread at a time; MeshOptions::threads says how many work on a

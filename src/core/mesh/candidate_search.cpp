@@ -94,8 +94,10 @@ void CandidateSearch::release() noexcept {
   for (auto& pairs : pairs_) broad_phase::LargeVector<Pair>().swap(pairs);
 }
 
-bool CandidateSearch::covers(const Motion& motion, double kept_fraction) noexcept {
+bool CandidateSearch::covers(const Motion& motion, double kept_fraction) const noexcept {
   if (state_ == State::no_reference || kept_fraction > kept_fraction_) return false;
+  // For a lesser fraction there may be few enough.
+  if (state_ == State::too_many && kept_fraction < kept_fraction_) return false;
   const MovingVertex& lead = reference_[farthest_];
   const double way = lead.end.*along_ - lead.start.*along_;
   const double fraction =
@@ -134,7 +136,8 @@ void CandidateSearch::refer_to(const Motion& motion, double kept_fraction) {
 /// Fills the lists, unless there are too many candidates.
 void CandidateSearch::collect(int threads, const std::atomic<bool>* stop) {
   Reach reach = reach_of(mesh_, reference_, kept_fraction_);
-  // A vertex of the motion moves by at most |y1 - y0| + 2 sqrt(3) m. By f / (1 - f) of that a fraction f has a reach.
+  // Beside a part s of the reference's usual way, a vertex of the motion moves by at most 2 sqrt(3) m more than the
+  // reference's vertex beside the whole. By f / (1 - f) of that a fraction f has a reach.
   const double wider = margin_ * (1 + 4 * kept_fraction_ / (1 - kept_fraction_));
   reach.same = with_room(reach.same + wider);
   for (double& one : reach.of_vertices) one = with_room(one + wider);

@@ -33,14 +33,20 @@ class CandidateSearch {
   void for_each_block(const Motion& motion, double kept_fraction, const broad_phase::PairSearch& search,
                       const std::atomic<bool>* stop, const CandidateConsumer& take);
 
-  /// How often all boxes were compared.
+  /// Whether the lists hold the pairs for this motion.
+  bool has_lists_for(const Motion& motion, double kept_fraction) const noexcept {
+    return state_ == State::with_lists && covers(motion, kept_fraction);
+  }
+
+  /// How often all boxes were compared, with searches elsewhere that were counted.
   std::size_t searches() const noexcept { return searches_; }
+  void count_search() noexcept { ++searches_; }
 
   /// Forgets the reference and gives its memory back.
   void release() noexcept;
 
  private:
-  bool covers(const Motion& motion, double kept_fraction) noexcept;
+  bool covers(const Motion& motion, double kept_fraction) const noexcept;
   void refer_to(const Motion& motion, double kept_fraction);
   void collect(int threads, const std::atomic<bool>* stop);
 

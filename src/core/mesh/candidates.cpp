@@ -288,10 +288,11 @@ Reach reach_of_separations(const Mesh::Impl& mesh) {
   return reach;
 }
 
-// A pair's distance falls by at most the sum of the greatest displacements of its elements' corners, since a point of
-// an element is a convex combination of them, and by at most a part t of that sum until the time t. If it falls from D0
-// to d + fraction (D0 - d), it falls by (1 - fraction) (D0 - d). So D0 - d is at most that over 1 - fraction, and the
-// elements are then within d plus the fraction of that, also along each axis.
+// Seen by someone who moves the usual way, which changes no distance, a pair's distance falls by at most the sum of the
+// greatest displacements of its elements' corners, since a point of an element is a convex combination of them, and by
+// at most a part t of that sum until the time t. If it falls from D0 to d + fraction (D0 - d), it falls by
+// (1 - fraction) (D0 - d). So D0 - d is at most that over 1 - fraction, and the elements are then within d plus the
+// fraction of that, also along each axis.
 // The distance to keep is computed with a bound of D0 that is greater by up to a part b of it: b = 2^-20 where the
 // fraction is at most kMostBounded, and some 2^-53 elsewhere. With f (1 + b) in place of f, d + f (D0 - d) grows by
 // less than kRoomOfBounds of itself for b = 2^-20 and f <= 0.9, and for b = 2^-50 and f <= 1 - 2^-30. Beyond that, no
@@ -304,9 +305,9 @@ Reach reach_of_fraction(const Mesh::Impl& mesh, const Motion& motion, double fra
   };
   reach.same = with_more_room(reach.same);
   for (double& one : reach.of_vertices) one = with_more_room(one);
-  const double ratio = fraction / (1 - fraction) * until;
-  reach.of_ways.reserve(motion.size());
-  for (const MovingVertex& vertex : motion) reach.of_ways.push_back(with_more_room(ratio * way_of(vertex)));
+  const double ratio = fraction / (1 - fraction);
+  reach.of_ways = lengths_beside_usual_way(motion);
+  for (double& one : reach.of_ways) one = with_more_room(ratio * one * until);
   return reach;
 }
 

@@ -143,6 +143,7 @@ double first_time(const Mesh::Impl& mesh, const Motion& motion, const ContactSea
   ContactSearch touching = search;
   touching.kept_fraction = 0;
   touching.candidates = nullptr;
+  if (search.candidates != nullptr) search.candidates->count_search();
   Earliest earliest(search.t_max);
   find_earliest(mesh, motion, touching, earliest);
   return earliest.until();

@@ -178,9 +178,10 @@ bool is_in_contact(const Mesh::Impl& mesh, const Motion& step, const std::vector
 
 /// Whether the boxes of a step that keeps this fraction reach far beyond their elements.
 bool reaches_far(const Mesh::Impl& mesh, const Motion& step, double fraction) {
-  constexpr double kMuchOfEdge = 0.5;
+  constexpr double kMuchOfEdge = 0.125;
   if (fraction == 0 || mesh.edges.empty()) return false;
-  return fraction / (1 - fraction) * usual_way(step) > kMuchOfEdge * usual_edge_length(mesh, step);
+  const double reach = fraction / (1 - fraction) * usual_length_beside_usual_way(step);
+  return reach > kMuchOfEdge * usual_edge_length(mesh, step);
 }
 
 TOUCHSTONE_BEHIND_GUARD FreeStep find_step(const Mesh::Impl& mesh, const Positions& x0, const Positions& x1,
@@ -193,7 +194,8 @@ TOUCHSTONE_BEHIND_GUARD FreeStep find_step(const Mesh::Impl& mesh, const Positio
   FreeStep result;
   ContactSearch first = search;
   // Elements come as near as they are to keep before they touch. If they touch soon, boxes reach less far until then.
-  if (reaches_far(mesh, step, options.kept_fraction)) first.known_by = first_time(mesh, step, search);
+  const bool has_lists = memory.kept && memory.kept->has_lists_for(step, options.kept_fraction);
+  if (!has_lists && reaches_far(mesh, step, options.kept_fraction)) first.known_by = first_time(mesh, step, search);
   result.first_contact = find_first(mesh, step, first);
   result.proofs = 1;
   if (!result.first_contact.at_start.empty() || !result.first_contact.start_intersections.empty()) {

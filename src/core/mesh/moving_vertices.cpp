@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdio>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -88,33 +89,60 @@ Motion motion_of(const Mesh::Impl& mesh, const Positions& x0, const Positions& x
 
 namespace {
 
-double length_between(const Vec3& a, const Vec3& b) noexcept { return std::hypot(a.x - b.x, a.y - b.y, a.z - b.z); }
-
-/// The median of some lengths, evenly by their numbers; 0 of none.
-template <class LengthOf>
-double usual_length(std::size_t count, const LengthOf& length_of) {
+/// The median of some numbers, evenly by their places; 0 of none.
+template <class NumberAt>
+double usual(std::size_t count, const NumberAt& number_at) {
   constexpr std::size_t kMost = 1001;
   const std::size_t taken = std::min(kMost, count);
   if (taken == 0) return 0;
-  std::vector<double> lengths(taken);
-  for (std::size_t i = 0; i < taken; ++i) lengths[i] = length_of(i * count / taken);
-  const auto middle = lengths.begin() + static_cast<std::ptrdiff_t>(taken / 2);
-  std::nth_element(lengths.begin(), middle, lengths.end());
+  std::vector<double> numbers(taken);
+  for (std::size_t i = 0; i < taken; ++i) numbers[i] = number_at(i * count / taken);
+  const auto middle = numbers.begin() + static_cast<std::ptrdiff_t>(taken / 2);
+  std::nth_element(numbers.begin(), middle, numbers.end());
   return *middle;
 }
 
 }  // namespace
 
-double way_of(const MovingVertex& vertex) noexcept { return length_between(vertex.start, vertex.end); }
-
 double usual_edge_length(const Mesh::Impl& mesh, const Motion& motion) {
-  return usual_length(mesh.edges.size(), [&](std::size_t e) {
-    return length_between(motion[mesh.edges[e][0]].start, motion[mesh.edges[e][1]].start);
+  return usual(mesh.edges.size(), [&](std::size_t e) {
+    const Vec3 &a = motion[mesh.edges[e][0]].start, &b = motion[mesh.edges[e][1]].start;
+    return std::hypot(a.x - b.x, a.y - b.y, a.z - b.z);
   });
 }
 
-double usual_way(const Motion& motion) {
-  return usual_length(motion.size(), [&](std::size_t v) { return way_of(motion[v]); });
+namespace {
+
+Vec3 usual_way(const Motion& motion) {
+  const auto along = [&](double Vec3::*axis) {
+    return usual(motion.size(), [&](std::size_t v) { return way_of(motion[v]).*axis; });
+  };
+  return {along(&Vec3::x), along(&Vec3::y), along(&Vec3::z)};
+}
+
+/// The length of way - beside, or a little more; infinity where a coordinate overflows. A coordinate of the difference
+/// is off by less than 2^-51 of the greatest one of the two.
+double length_beside(const Vec3& way, const Vec3& beside) noexcept {
+  double largest = 0;
+  for (const double x : {way.x, way.y, way.z, beside.x, beside.y, beside.z}) largest = std::max(largest, std::fabs(x));
+  const double length = std::hypot(way.x - beside.x, way.y - beside.y, way.z - beside.z) + 0x1p-48 * largest;
+  constexpr double kMost = std::numeric_limits<double>::max();
+  return length <= kMost ? length : std::numeric_limits<double>::infinity();  // of NaN, too
+}
+
+}  // namespace
+
+std::vector<double> lengths_beside_usual_way(const Motion& motion) {
+  const Vec3 beside = usual_way(motion);
+  std::vector<double> lengths;
+  lengths.reserve(motion.size());
+  for (const MovingVertex& vertex : motion) lengths.push_back(length_beside(way_of(vertex), beside));
+  return lengths;
+}
+
+double usual_length_beside_usual_way(const Motion& motion) {
+  const Vec3 beside = usual_way(motion);
+  return usual(motion.size(), [&](std::size_t v) { return length_beside(way_of(motion[v]), beside); });
 }
 
 Query query_of(const Motion& motion, Kind kind, const std::array<Index, 4>& corners) noexcept {

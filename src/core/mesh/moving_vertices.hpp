@@ -5,6 +5,7 @@
 #include <array>
 #include <cstddef>
 #include <string>
+#include <vector>
 
 #include <touchstone/mesh.hpp>
 #include <touchstone/query.hpp>
@@ -31,13 +32,21 @@ using Motion = broad_phase::LargeVector<MovingVertex>;
 void set_motion(Motion& motion, const Mesh::Impl& mesh, const Positions& x0, const Positions& x1, int threads);
 Motion motion_of(const Mesh::Impl& mesh, const Positions& x0, const Positions& x1, int threads);
 
-/// How far a vertex moves, or a little more or less.
-double way_of(const MovingVertex& vertex) noexcept;
+/// How a vertex moves: each coordinate is one rounded difference.
+inline Vec3 way_of(const MovingVertex& vertex) noexcept {
+  return {vertex.end.x - vertex.start.x, vertex.end.y - vertex.start.y, vertex.end.z - vertex.start.z};
+}
 
-/// What is usual: the median length of an edge at the start, and of a vertex's way. Some edges and vertices, evenly by
-/// their numbers, stand for all: so a floor of two large faces counts for little. 0 without edges or vertices.
+/// The median length of an edge at the start. Some edges, evenly by their numbers, stand for all: so a floor of two
+/// large faces counts for little. 0 without edges.
 double usual_edge_length(const Mesh::Impl& mesh, const Motion& motion);
-double usual_way(const Motion& motion);
+
+/// How far each vertex moves, or a little farther, as seen by someone who moves the usual way, which is the median
+/// along each axis: so the distance of two elements falls by no more than the sum of their corners' greatest ones.
+std::vector<double> lengths_beside_usual_way(const Motion& motion);
+
+/// The median of these, of some vertices as above; 0 without vertices.
+double usual_length_beside_usual_way(const Motion& motion);
 
 /// The query of the vertices `corners`, as many as the kind has.
 Query query_of(const Motion& motion, Kind kind, const std::array<Index, 4>& corners) noexcept;

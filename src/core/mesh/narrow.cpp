@@ -56,13 +56,6 @@ void ColumnBlock::solve(double t_max, Wanted wanted, Metric metric, const double
   solve_batch(columns_, answers_, options);
 }
 
-KeptDistances::KeptDistances(const Mesh::Impl& mesh, const Motion& motion, double fraction)
-    : mesh_(mesh), motion_(motion), fraction_(fraction) {
-  if (fraction == 0) return;
-  ways_.reserve(motion.size());
-  for (const MovingVertex& vertex : motion) ways_.push_back(with_room(way_of(vertex)));
-}
-
 // Each operation is rounded up, and d + fraction (D0 - d) rises with each of its parts.
 double KeptDistances::kept(double separation, double at_start) const noexcept {
   const auto upwards = [](double x) { return std::nextafter(x, kInfinity); };
@@ -92,18 +85,27 @@ KeptDistances::Kept KeptDistances::quick(const MeshPair& pair, const std::array<
   return {kept(separation, with_room(nearest)), true, 0};
 }
 
-// A distance falls by at most the sum of the greatest ways of the elements' corners, as each point of an element is a
-// convex combination of them, and by a part t of it until the time t.
+// Seen from a corner of the second element, which does not change the distance, corner c moves by w_c in the step. Each
+// point of an element is a convex combination of its corners: so the distance falls by at most the greatest |w_c| of
+// either element until t = 1, and by a part t of that until the time t.
+// A coordinate of w_c is off by less than 2^-51 of the greatest coordinate of a way. Squares that underflow make less
+// than 2^-500 of it: nothing beside distances for which there is a bound at the start.
 bool KeptDistances::keeps(const Kept& kept, Kind kind, const std::array<Index, 4>& corners,
                           double t_max) const noexcept {
   if (!(kept.least_at_0 > kept.distance)) return false;
-  constexpr double kRoundings = 1 + 0x1p-40;  // of the sums and the product
-  std::array<double, 2> greatest{};
+  constexpr double kRoundings = 1 + 0x1p-40;  // of the roots, the sums and the product
+  const Vec3 seen_from = way_of(motion_[corners[corner_count(kind) - 1]]);
+  std::array<double, 2> greatest{};  // squares
+  double largest = 0;
   for (std::size_t c = 0; c < corner_count(kind); ++c) {
-    double& way = greatest[c < geometry::corners_of_first(kind) ? 0 : 1];
-    way = std::max(way, ways_[corners[c]]);
+    const Vec3 way = way_of(motion_[corners[c]]);
+    const double x = way.x - seen_from.x, y = way.y - seen_from.y, z = way.z - seen_from.z;
+    double& square = greatest[c < geometry::corners_of_first(kind) ? 0 : 1];
+    square = std::max(square, x * x + y * y + z * z);
+    largest = std::max({largest, std::fabs(way.x), std::fabs(way.y), std::fabs(way.z)});
   }
-  return kept.least_at_0 > (kept.distance + t_max * (greatest[0] + greatest[1])) * kRoundings;
+  const double way = std::sqrt(greatest[0]) + std::sqrt(greatest[1]) + 0x1p-48 * largest + 0x1p-500;
+  return kept.least_at_0 > (kept.distance + t_max * way) * kRoundings;
 }
 
 double KeptDistances::exact(const MeshPair& pair, const std::array<Index, 4>& corners) const {

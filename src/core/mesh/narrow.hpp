@@ -4,7 +4,6 @@
 
 #include <cstddef>
 #include <functional>
-#include <vector>
 
 #include <touchstone/answer.hpp>
 #include <touchstone/mesh.hpp>
@@ -20,7 +19,8 @@ namespace touchstone::mesh {
 /// at the start. Where it is quick, the bound of D0 by distance_bound stands for D0.
 class KeptDistances {
  public:
-  KeptDistances(const Mesh::Impl& mesh, const Motion& motion, double fraction);
+  KeptDistances(const Mesh::Impl& mesh, const Motion& motion, double fraction)
+      : mesh_(mesh), motion_(motion), fraction_(fraction) {}
 
   /// Whether every pair is only asked to touch nothing.
   bool are_zero() const noexcept {
@@ -48,7 +48,6 @@ class KeptDistances {
   const Mesh::Impl& mesh_;
   const Motion& motion_;
   double fraction_;
-  std::vector<double> ways_;  ///< of vertices, how far they move; empty where the fraction is 0
 };
 
 /// Called for pairs in contact: contact(pair, distance that it is to keep, answer).
