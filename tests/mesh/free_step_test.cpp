@@ -157,19 +157,24 @@ TEST_CASE("a pair that comes too near and never meets is found though another on
   elements.edges = {{4, 5}};
   const Mesh mesh(elements);
   // Points 0 and 1 meet at t = 1/1000. Points 2 and 3 pass by each other: they are sqrt(2) apart, and 0.9 of that at
-  // t = 8.5e-5. Points 0 and 1 have 0.9 of their distance at 1e-4.
-  const std::vector<double> x0 = {0, 0, 0, 1, 0, 0, 0, 0, 1e6, 1, 1, 1e6, 0, 1e6, 0, 1, 1e6, 0};
-  std::vector<double> x1 = x0;
-  x1[0] += 500, x1[3] -= 500, x1[6] += 1250, x1[9] -= 1250;
-  FreeStepOptions options;
-  options.kept_fraction = 0.9;
-  const FreeStep step = free_step(mesh, {x0, 3}, {x1, 3}, options);
-  CHECK(step.outcome == StepOutcome::shortened);
-  REQUIRE(step.first_contact.first.size() == 1);
-  CHECK(step.first_contact.first[0].pair == MeshPair{Kind::point_point, 2, 3});
-  CHECK(std::fabs(step.length - (1 - std::sqrt(0.81 * 2 - 1)) / 2500) < 1e-9);
-  MeshSteps steps(mesh);
-  for (int i = 0; i < 3; ++i) CHECK(same_bytes(steps.free_step({x0, 3}, {x1, 3}, options), step));
+  // t = 8.5e-5. Points 0 and 1 have 0.9 of their distance at 1e-4. All of this along each of the axes.
+  const std::vector<double> along_x = {0, 0, 0, 1, 0, 0, 0, 0, 1e6, 1, 1, 1e6, 0, 1e6, 0, 1, 1e6, 0};
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    std::vector<double> x0(along_x.size());
+    for (std::size_t i = 0; i < x0.size(); ++i) x0[i / 3 * 3 + (i + axis) % 3] = along_x[i];
+    std::vector<double> x1 = x0;
+    x1[axis] += 500, x1[3 + axis] -= 500, x1[6 + axis] += 1250, x1[9 + axis] -= 1250;
+    FreeStepOptions options;
+    options.kept_fraction = 0.9;
+    const FreeStep step = free_step(mesh, {x0, 3}, {x1, 3}, options);
+    CAPTURE(axis);
+    CHECK(step.outcome == StepOutcome::shortened);
+    REQUIRE(step.first_contact.first.size() == 1);
+    CHECK(step.first_contact.first[0].pair == MeshPair{Kind::point_point, 2, 3});
+    CHECK(std::fabs(step.length - (1 - std::sqrt(0.81 * 2 - 1)) / 2500) < 1e-9);
+    MeshSteps steps(mesh);
+    for (int i = 0; i < 3; ++i) CHECK(same_bytes(steps.free_step({x0, 3}, {x1, 3}, options), step));
+  }
 }
 
 TEST_CASE("with float32 a step ends at floats, and its path is free by brute force") {
