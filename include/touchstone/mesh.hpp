@@ -288,7 +288,7 @@ struct FirstContact {
 
   /// The earliest contacts: every pair whose contact begins at exactly that time, in ascending order. Where the time is
   /// no double, the times of the pairs are compared as algebraic numbers.
-  std::vector<MeshContact> first;
+  std::vector<MeshContact> earliest;
 
   /// Every pair in contact at t = 0, in ascending order. Later contacts of these pairs are not reported.
   std::vector<MeshContact> at_start;

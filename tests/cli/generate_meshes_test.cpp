@@ -114,7 +114,7 @@ TEST_CASE("the frames of a drape are free of contact, but for the two steps of a
     REQUIRE(found.free() == (crossing == 0 || (i != crossing && i != crossing + 1)));
     REQUIRE(intersections(mesh, x1).empty() == (crossing == 0 || i != crossing));
     if (found.free()) continue;
-    const MeshPair pair = found.first.at(0).pair;
+    const MeshPair pair = found.earliest.at(0).pair;
     CHECK(pair.kind == Kind::vertex_face);
     CHECK(pair.second >= frames[0].group_ends[0]);  // of the sphere
     CHECK(occurrences(run.out, "\nvertex " + std::to_string(pair.first + 1) + " goes through the sphere in step " +

@@ -92,10 +92,10 @@ TEST_CASE("a planted crossing is found in its two steps, by the vertex that was 
         REQUIRE(std::count(corners.begin(), corners.end(), *planted) == 1);
       }
       if (edges < 500) continue;  // in a coarse scene, an edge of the vertex may be the first
-      REQUIRE(found.first.size() == 1);
-      REQUIRE(found.first[0].pair.kind == Kind::vertex_face);
-      REQUIRE(found.first[0].pair.first == *planted);
-      REQUIRE(found.first[0].pair.second >= step.mesh().objects[1].first_face);
+      REQUIRE(found.earliest.size() == 1);
+      REQUIRE(found.earliest[0].pair.kind == Kind::vertex_face);
+      REQUIRE(found.earliest[0].pair.first == *planted);
+      REQUIRE(found.earliest[0].pair.second >= step.mesh().objects[1].first_face);
     }
   }
 }

@@ -29,7 +29,7 @@ namespace {
 constexpr double kMost = std::numeric_limits<double>::max();
 
 struct BruteForce {
-  std::vector<MeshContact> all, at_start, first;
+  std::vector<MeshContact> all, at_start, earliest;
   double toi = INFINITY, toi_upper = INFINITY;
 };
 
@@ -57,7 +57,7 @@ BruteForce brute_force(const Scene& scene, double t_max) {
     result.toi = least->second.lower();
     result.toi_upper = least->second.upper();
     for (const auto& [contact, time] : later) {
-      if (time == least->second) result.first.push_back(contact);
+      if (time == least->second) result.earliest.push_back(contact);
     }
   }
   std::sort(result.all.begin(), result.all.end(), [](const MeshContact& a, const MeshContact& b) {
@@ -67,8 +67,8 @@ BruteForce brute_force(const Scene& scene, double t_max) {
 }
 
 bool agrees(const FirstContact& found, const BruteForce& expected) {
-  return found.contact == !expected.first.empty() && found.toi == expected.toi &&
-         found.toi_upper == expected.toi_upper && same_bytes(found.first, expected.first) &&
+  return found.contact == !expected.earliest.empty() && found.toi == expected.toi &&
+         found.toi_upper == expected.toi_upper && same_bytes(found.earliest, expected.earliest) &&
          same_bytes(found.at_start, expected.at_start);
 }
 
@@ -177,7 +177,7 @@ TEST_CASE("the contacts of a mesh are those of all pairs by brute force") {
       }
       seen.add(scene.name + " with a first contact", found.contact);
       seen.add(scene.name + " with contact at the start", !found.at_start.empty());
-      seen.add("several first contacts", found.first.size() > 1);
+      seen.add("several first contacts", found.earliest.size() > 1);
       seen.add(scene.name + " with pairs that are no candidates", near.size() < asked.size());
       seen.add("separations of pairs", by_pair && found.contact);
       seen.add("extreme coordinates", extreme && found.contact);
@@ -371,7 +371,7 @@ TEST_CASE("shuffled vertices and faces give the same time and the same pairs") {
       }
       return sets;
     };
-    REQUIRE(corners(one, a.first, true) == corners(other, b.first, false));
+    REQUIRE(corners(one, a.earliest, true) == corners(other, b.earliest, false));
     REQUIRE(corners(one, a.at_start, true) == corners(other, b.at_start, false));
 
     // The same crossings at rest, and the same free step.

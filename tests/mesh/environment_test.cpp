@@ -44,7 +44,7 @@ bool equal(const Outcome& a, const Outcome& b) {
     return x.outcome == y.outcome && x.length == y.length && x.positions == y.positions;
   };
   return a.first.toi == b.first.toi && a.first.toi_upper == b.first.toi_upper &&
-         a.first.first.size() == b.first.first.size() && a.first.at_start.size() == b.first.at_start.size() &&
+         a.first.earliest.size() == b.first.earliest.size() && a.first.at_start.size() == b.first.at_start.size() &&
          same_step(a.step, b.step) && same_step(a.keeping, b.keeping) &&
          a.intersections.size() == b.intersections.size() && a.intersects == b.intersects &&
          a.candidates == b.candidates && a.contacts == b.contacts;

@@ -201,8 +201,8 @@ TEST_CASE("the end of a rod that swings through its own next segment is met at t
   CHECK(found.toi < found.toi_upper);  // 1/3, which is no double
   CHECK(std::fma(3, found.toi, -1) < 0);
   CHECK(std::fma(3, found.toi_upper, -1) > 0);
-  REQUIRE(found.first.size() == 1);
-  CHECK(found.first[0].pair == pair);
+  REQUIRE(found.earliest.size() == 1);
+  CHECK(found.earliest[0].pair == pair);
   CHECK(candidates(mesh, {x0, 3}, {x1, 3}) == std::vector<MeshPair>{pair});
 
   const FreeStep step = free_step(mesh, {x0, 3}, {x1, 3});
@@ -231,8 +231,8 @@ TEST_CASE("a longer segment that swings onto a shorter one is met too, and a sta
   x1[6] = 8, x1[7] = -8;  // vertex 2 passes the line of edge 0-1 at t = 1/2, where x = 4
   const Mesh mesh(elements);
   const FirstContact found = first_contact(mesh, {x0, 3}, {x1, 3});
-  REQUIRE(found.first.size() == 1);
-  CHECK(found.first[0].pair == MeshPair{Kind::point_edge, 1, 1});
+  REQUIRE(found.earliest.size() == 1);
+  CHECK(found.earliest[0].pair == MeshPair{Kind::point_edge, 1, 1});
   CHECK(found.toi == 0.5);
   int pairs = 0;
   for (MeshIndex v = 0; v < 4; ++v) {
@@ -257,8 +257,8 @@ TEST_CASE("closing folds of faces are met through the pairs of a corner and a fa
   x1[11] = -1;  // down through the other face
   const FirstContact found = first_contact(mesh, {above, 3}, {x1, 3});
   CHECK(found.toi == 0.75);
-  REQUIRE(found.first.size() == 1);
-  CHECK(found.first[0].pair == MeshPair{Kind::vertex_face, 3, 0});
+  REQUIRE(found.earliest.size() == 1);
+  CHECK(found.earliest[0].pair == MeshPair{Kind::vertex_face, 3, 0});
   CHECK(intersections(mesh, {x0, 3}).empty());
   std::vector<double> folded = x0;
   folded[10] = 2;

@@ -53,7 +53,7 @@ double time_of_rounding(const Scene& scene, const FreeStep& step) {
   for (const double x : scene.x1) unit = std::max(unit, unit_of(x));
   const Parts parts = parts_of(scene.elements);
   double speed = INFINITY;
-  for (const MeshContact& contact : step.first_contact.first) {
+  for (const MeshContact& contact : step.first_contact.earliest) {
     const Query query = query_between(scene, parts, contact.pair, scene.x0, scene.x1);
     const double before = contact.answer.toi * (1 - 0x1p-12);
     const double closed = distance(query, before, contact.separation.metric).value - contact.separation.distance;
@@ -169,8 +169,8 @@ TEST_CASE("a pair that comes too near and never meets is found though another on
     const FreeStep step = free_step(mesh, {x0, 3}, {x1, 3}, options);
     CAPTURE(axis);
     CHECK(step.outcome == StepOutcome::shortened);
-    REQUIRE(step.first_contact.first.size() == 1);
-    CHECK(step.first_contact.first[0].pair == MeshPair{Kind::point_point, 2, 3});
+    REQUIRE(step.first_contact.earliest.size() == 1);
+    CHECK(step.first_contact.earliest[0].pair == MeshPair{Kind::point_point, 2, 3});
     CHECK(std::fabs(step.length - (1 - std::sqrt(0.81 * 2 - 1)) / 2500) < 1e-9);
     MeshSteps steps(mesh);
     for (int i = 0; i < 3; ++i) CHECK(same_bytes(steps.free_step({x0, 3}, {x1, 3}, options), step));

@@ -198,7 +198,7 @@ TEST_CASE("a mesh and its questions need the stated number of bytes for each ele
       FirstContactOptions options;
       options.threads = threads;
       std::size_t contacts = 0;
-      const std::size_t asking = most_bytes([&] { contacts = first_contact(mesh, x0, x1, options).first.size(); });
+      const std::size_t asking = most_bytes([&] { contacts = first_contact(mesh, x0, x1, options).earliest.size(); });
       const double each = static_cast<double>(asking - std::min(asking, 48 * vertices)) / static_cast<double>(boxes);
       std::printf("; first_contact on %d threads: %zu, 48 a vertex and %.0f a box", threads, asking, each);
       CHECK(asking > 100 * boxes);  // or nothing is counted

@@ -124,7 +124,7 @@ TEST_CASE("a verdict changes from one double to the next where the oracle's does
       const auto contacts = oracle_contacts(scene);
       REQUIRE_FALSE(contacts.empty());
       const FirstContact found = first_contact(mesh, scene.start(), scene.end());
-      for (const MeshContact& contact : found.first) {
+      for (const MeshContact& contact : found.earliest) {
         REQUIRE(contacts.count(contact.pair) == 1);
         REQUIRE(contacts.at(contact.pair).toi == found.toi);
       }

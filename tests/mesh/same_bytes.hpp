@@ -47,7 +47,7 @@ inline bool same_bytes(const std::vector<Intersection>& a, const std::vector<Int
 }
 
 inline bool same_bytes(const FirstContact& a, const FirstContact& b) {
-  return a.contact == b.contact && a.toi == b.toi && a.toi_upper == b.toi_upper && same_bytes(a.first, b.first) &&
+  return a.contact == b.contact && a.toi == b.toi && a.toi_upper == b.toi_upper && same_bytes(a.earliest, b.earliest) &&
          same_bytes(a.at_start, b.at_start);
 }
 

@@ -28,8 +28,8 @@ TEST_CASE("a vertex moved by one unit in its last place changes the verdict") {
   const FirstContact touching = first_contact(mesh, scene.start(), scene.end());
   CHECK(touching.contact);
   CHECK(touching.toi == 1);
-  REQUIRE(touching.first.size() == 1);
-  CHECK(touching.first[0].pair == MeshPair{Kind::vertex_face, 3, 0});
+  REQUIRE(touching.earliest.size() == 1);
+  CHECK(touching.earliest[0].pair == MeshPair{Kind::vertex_face, 3, 0});
   scene.x1[11] = std::numeric_limits<double>::denorm_min();
   CHECK(first_contact(mesh, scene.start(), scene.end()).free());
 
@@ -91,7 +91,7 @@ TEST_CASE("times that no double tells apart are compared exactly") {
   scene.x1 = scene.x0;
   scene.x1[20] = scene.x1[23] = -2;  // both at 1/3
   FirstContact both = first_contact(Mesh(scene.elements), scene.start(), scene.end());
-  CHECK(both.first.size() == 2);
+  CHECK(both.earliest.size() == 2);
   CHECK(both.toi < both.toi_upper);
   CHECK(both.toi == 1.0 / 3);
   // 2^52 / (3 2^52 - 1) is later than 1/3 by about 2^-55.2. Doubles there are 2^-54 apart, and 1/3 lies a third of that
@@ -106,8 +106,8 @@ TEST_CASE("times that no double tells apart are compared exactly") {
   const Answer b = solve(query_between(scene, parts, later, scene.x0, scene.x1));
   REQUIRE(a.toi == b.toi);  // or the case shows nothing
   REQUIRE(a.toi_upper == b.toi_upper);
-  REQUIRE(one.first.size() == 1);
-  CHECK(one.first[0].pair == earlier);
+  REQUIRE(one.earliest.size() == 1);
+  CHECK(one.earliest[0].pair == earlier);
 }
 
 TEST_CASE("a coordinate that is not finite is named, and positions that do not fit are refused") {

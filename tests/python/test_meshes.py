@@ -23,8 +23,8 @@ def test_first_contact_and_free_step():
     mesh = ts.Mesh(7, FACES)
     found = ts.first_contact(mesh, X0, X1)
     assert (found.contact, found.free, found.toi) == (True, False, 0.79999999999999993)
-    assert [mesh.describe(pair) for pair in found.first] == ["vertex 3 and face 0 (0-1-2)"]
-    assert len(found.at_start) == 0 and str(found.first.answers[0].nature) == "crossing"
+    assert [mesh.describe(pair) for pair in found.earliest] == ["vertex 3 and face 0 (0-1-2)"]
+    assert len(found.at_start) == 0 and str(found.earliest.answers[0].nature) == "crossing"
     step = ts.free_step(mesh, X0, X1)
     assert step.outcome == "shortened" and step.length <= 0.8 and step.positions.shape == (7, 3)
     assert ts.first_contact(mesh, X0, step.positions).free
@@ -109,7 +109,7 @@ def test_steps_that_keep_what_they_found():
             assert list(found) == list(expected) and found.answers.toi.tolist() == expected.answers.toi.tolist()
     assert steps.searches == 1 and repr(steps) == "<MeshSteps: searches=1>"
     found, expected = steps.first_contact(x0, tries[4], threads=2), ts.first_contact(mesh, x0, tries[4])
-    assert found.toi == expected.toi and list(found.first) == list(expected.first)
+    assert found.toi == expected.toi and list(found.earliest) == list(expected.earliest)
     step, expected = steps.free_step(x0, tries[4], 0.25), ts.free_step(mesh, x0, tries[4], 0.25)
     assert step.length == expected.length and (step.positions == expected.positions).all()
     steps.release()
@@ -137,7 +137,7 @@ def test_separations_rules_and_the_plane():
     flat = ts.Mesh(np.zeros((3, 2)), edges=[[0, 1]])
     assert flat.dimension == ts.Mesh(3, edges=[[0, 1]], dimension=2).dimension == 2
     found = ts.first_contact(flat, [[0, 0], [2, 0], [1, 1]], [[0, 0], [2, 0], [1, -1]])
-    assert found.toi == .5 and found.first[0] == ("point-edge", 2, 0)
+    assert found.toi == .5 and found.earliest[0] == ("point-edge", 2, 0)
     assert ts.free_step(flat, [[0, 0], [2, 0], [1, 1]], [[0, 0], [2, 0], [1, -1]]).positions.shape == (3, 2)
 
 

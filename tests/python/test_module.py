@@ -161,7 +161,7 @@ def test_a_million_calls_leave_no_memory_behind():
             answers.toi, answers.weights_a, answers[3].nature
             ts.solve("vertex-face", start, end, wanted="contact").contact
             ts.distance("vertex-face", start).value
-            ts.first_contact(mesh, start[0], end[0]).first.answers.toi
+            ts.first_contact(mesh, start[0], end[0]).earliest.answers.toi
             ts.free_step(mesh, start[0], end[0]).positions
             ts.contact_times("vertex-face", start[1], end[1])
             curved.solve().toi, curved.prove().answers.toi

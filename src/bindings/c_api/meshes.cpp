@@ -215,7 +215,7 @@ int touchstone_mesh_first_contact(const touchstone_mesh* mesh, const double* x0,
                                        : first_contact(of, start, end, asked_of(options));
     const touchstone_first_contact told = c_first_contact(contact);
     std::unique_ptr<touchstone_contacts> first_list, start_list;
-    if (first != nullptr) first_list.reset(contact_list(std::move(contact.first)));
+    if (first != nullptr) first_list.reset(contact_list(std::move(contact.earliest)));
     if (at_start != nullptr) start_list.reset(contact_list(std::move(contact.at_start)));
     if (first != nullptr) *first = first_list.release();
     if (at_start != nullptr) *at_start = start_list.release();

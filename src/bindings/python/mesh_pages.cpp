@@ -76,12 +76,12 @@ class StepPage {
     animation_.add_frame(1, 1, coordinates(x1_), {});
     const FirstContact found = first_contact(mesh_, x0_, x1_, options_);
     for (const MeshContact& contact : found.at_start) add(contact);
-    for (const MeshContact& contact : found.first) add(contact);
+    for (const MeshContact& contact : found.earliest) add(contact);
     const std::size_t before = add_intersections(x0_, 0), after = add_intersections(x1_, 1);
     const std::string summary = (found.free() ? std::string("The step is free of contact.")
                                               : std::to_string(found.at_start.size()) +
                                                     " pairs are in contact at the start, and the contact of " +
-                                                    std::to_string(found.first.size()) + " begins first.") +
+                                                    std::to_string(found.earliest.size()) + " begins first.") +
                                 "\nThere are " + std::to_string(before) + " intersections at t = 0, and " +
                                 std::to_string(after) + " at t = 1.";
     const view::AnimationWords words{

@@ -126,7 +126,7 @@ void define_first_contact(py::module_& module) {
           "start_intersections", [](const FirstContact& self) { return Intersections{self.start_intersections}; },
           "Intersections: where the mesh intersects itself at the start; empty when that was not asked")
       .def_property_readonly(
-          "first", [](const FirstContact& self) { return pairs_of(self.first); },
+          "earliest", [](const FirstContact& self) { return pairs_of(self.earliest); },
           "Pairs: every pair whose contact begins at exactly that time")
       .def_property_readonly(
           "at_start", [](const FirstContact& self) { return pairs_of(self.at_start); },
@@ -139,7 +139,8 @@ void define_first_contact(py::module_& module) {
           return "<FirstContact: " + std::to_string(self.start_intersections.size()) + " intersections at the start>";
         }
         return "<FirstContact: toi " + std::string(py::repr(py::float_(self.toi))) + ", " +
-               std::to_string(self.first.size()) + " first, " + std::to_string(self.at_start.size()) + " at the start>";
+               std::to_string(self.earliest.size()) + " earliest, " + std::to_string(self.at_start.size()) +
+               " at the start>";
       });
 }
 

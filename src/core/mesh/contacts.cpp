@@ -156,8 +156,8 @@ FirstContact find_first(const Mesh::Impl& mesh, const Motion& motion, const Cont
   result.contact = !earliest.first().empty();
   result.toi = earliest.toi();
   result.toi_upper = earliest.toi_upper();
-  result.first = with_answers(mesh, motion, earliest.first(), search);
-  keep_exactly_first(mesh, motion, result.first, search.threads);
+  result.earliest = with_answers(mesh, motion, earliest.first(), search);
+  keep_exactly_first(mesh, motion, result.earliest, search.threads);
   result.at_start = with_answers(mesh, motion, earliest.at_start(), search);
   result.start_checked = search.check_start;
   if (search.check_start) result.start_intersections = find_intersections(mesh, motion, search.threads, search.stop);

@@ -211,7 +211,7 @@ TOUCHSTONE_BEHIND_GUARD FreeStep find_step(const Mesh::Impl& mesh, const Positio
     return result;
   }
   Obstacles obstacles(mesh, step, options.float32);
-  obstacles.add(result.first_contact.first);
+  obstacles.add(result.first_contact.earliest);
   const FirstContact& contact = result.first_contact;
   const double before = contact.toi < contact.toi_upper ? contact.toi : next_below(contact.toi);
   double longest = before;

@@ -238,7 +238,7 @@ Result check_step(const Mesh& mesh, const Frame& before, const Frame& after, std
   result.turning = turning_faces(mesh, positions_of(before), positions_of(after));
   if (contact.free()) return result;
   ElementNames names(mesh, *before.topology);
-  for (const MeshContact& one : contact.first) result.first.push_back(named(one, names));
+  for (const MeshContact& one : contact.earliest) result.first.push_back(named(one, names));
   for (const MeshContact& one : contact.at_start) result.at_start.push_back(named(one, names));
   result.intersections = named(intersections(mesh, positions_of(after), {.threads = threads}), names);
   if (!contact.at_start.empty()) result.coinciding = coinciding_vertices(mesh, positions_of(before));

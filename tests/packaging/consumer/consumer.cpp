@@ -109,7 +109,7 @@ int main() {
   touchstone::FirstContactOptions two_threads;
   two_threads.threads = 2;
   const auto first = touchstone::first_contact(mesh, {start, 3}, {end, 3}, two_threads);
-  check(first.toi == 0.75 && first.first.size() == 1, "the first contact of a mesh, among subnormals");
+  check(first.toi == 0.75 && first.earliest.size() == 1, "the first contact of a mesh, among subnormals");
   const touchstone::FreeStep step = touchstone::free_step(mesh, {start, 3}, {end, 3});
   check(touchstone::first_contact(mesh, {start, 3}, {step.positions, 3}).free(), "a free step");
 

@@ -105,7 +105,7 @@ class FirstContact:
     toi: float
     toi_upper: float
     free: bool
-    first: Pairs
+    earliest: Pairs
     at_start: Pairs
     start_checked: bool
     start_intersections: Intersections

@@ -155,7 +155,7 @@ def show_mesh(mesh: Mesh, x0: ArrayLike, x1: ArrayLike, t_max: float = 1.0, thre
 
     >>> import touchstone
     >>> touchstone.show_mesh(touchstone.Mesh(2), [[0, 0, 0], [2, 0, 0]], [[4, 0, 0], [2, 0, 0]])
-    <Mesh: 2 vertices, 0 faces, 0 edges, 2 loose points> <FirstContact: toi 0.5, 1 first, 0 at the start>
+    <Mesh: 2 vertices, 0 faces, 0 edges, 2 loose points> <FirstContact: toi 0.5, 1 earliest, 0 at the start>
     """
     found = _meshes.first_contact(mesh, x0, x1, t_max, threads)
     return ShownMesh(mesh, np.array(x0), np.array(x1), found, float(t_max))
@@ -177,10 +177,10 @@ def _show_contact(found):
     if found.free:
         return _facts("the step is free of contact", [("start", "checked" if found.start_checked else "not checked")])
     facts = [("first time", f"[{_number(found.toi)}, {_number(found.toi_upper)}]")] if found.contact else []
-    facts += [("pairs at that time", len(found.first)), ("in contact at the start", len(found.at_start))]
+    facts += [("pairs at that time", len(found.earliest)), ("in contact at the start", len(found.at_start))]
     if found.start_checked:
         facts.append(("intersections at the start", len(found.start_intersections)))
-    return _facts("contact", facts) + (_show_pairs(found.first) if len(found.first) else "")
+    return _facts("contact", facts) + (_show_pairs(found.earliest) if len(found.earliest) else "")
 
 
 def _show_step(step):

@@ -29,7 +29,7 @@ def first_contact(mesh: Mesh, x0: ArrayLike, x1: ArrayLike, t_max: float = 1.0, 
     >>> x1 = x0.copy()
     >>> x1[3, 2] = -1
     >>> found = touchstone.first_contact(mesh, x0, x1)
-    >>> found.toi, mesh.describe(found.first[0])
+    >>> found.toi, mesh.describe(found.earliest[0])
     (0.5, 'vertex 3 and face 0 (0-1-2)')
     """
     return _core.first_contact(mesh, x0, x1, t_max, threads, check_start)

@@ -259,7 +259,7 @@ def steps_part(mesh: Mapping[str, Any], frame: Callable[[int], NDArray], first: 
         before = after
         times = [t.hex() if contact.contact else None for t in (contact.toi, contact.toi_upper)]
         found.append({"step": k, "free": contact.free, "toi": times[0], "toi_upper": times[1],
-                      "first": [made.describe(pair) for pair in contact.first],
+                      "first": [made.describe(pair) for pair in contact.earliest],
                       "at_start": [made.describe(pair) for pair in contact.at_start]})
     return found
 
