@@ -174,10 +174,12 @@ FAULTS = [
 # then the part becomes negative here, or is taken off by more than it adds.
 #
 # Without a line below, as no search comes near them: they leave more room than a sixteenth of them takes up.
-# - kSolveReserve, kMostError, kRateError and the determinant's `left` of entry.cpp: reserves over terms of some e;
 # - kLeastFraction: the squares of c's errors would count from 2^-100 on; the factor of `lowest`: for 2^-32 of a number
 #   that is itself about the error;
-# - the margin of other corners of max_entry.cpp: 128 e, of which the facets that need it use at most 2;
+# - roundings of the vectors in closest_near.hpp, and what the corrections change: a few e, or much less, among many;
+#   kMostError there: corrections are far better known than it asks for;
+# - kSmall of a facet's normal: normals are far better than it asks for;
+# - that an entry certainly comes before the next double: few are so near to one, and it takes minutes to meet them;
 # - kGreatestSize: what overflows leaves no comparison true; kLeastNormal of a direction's gap: kLeastProduct has room.
 SEPARATION_FAULTS = [
     ("greatest norm of n's middle coefficient", "filters/coplanarity_form.hpp", "(Euclidean ? 0.25 : 0.5) * norm(n[1])",
@@ -193,8 +195,6 @@ SEPARATION_FAULTS = [
      "kDirectionFactor = 1 - 120 *"),
     ("kWalkError", "filters/separation/entry_walk.hpp", "kWalkError = 32 *", "kWalkError = 2 *"),
     ("kTurnError", "filters/separation/entry_walk.hpp", "kTurnError = 48 *", "kTurnError = 3 *"),
-    ("change of the approach", "filters/separation/entry.cpp", "const double approach_error =\n        slope_error +",
-     "const double approach_error = 0 *\n        slope_error +"),
     ("kError of a distance", "filters/separation/distance_bound.cpp", "kError = 16 *", "kError = 1 *"),
     ("kLargestGap of a distance", "filters/separation/distance_bound.cpp", "kLargestGap = 0x1p-22",
      "kLargestGap = 0x1p-16"),
@@ -204,16 +204,15 @@ SEPARATION_FAULTS = [
     ("both ends of a least distance", "filters/separation/distance_bound.cpp", "std::min(start.along(n), end.along(n))",
      "start.along(n)"),
     ("kNormIncrease", "filters/separation/entry_walk.hpp", "kNormIncrease = 1 + 8 *", "kNormIncrease = 1 - 120 *"),
-    ("slopes of a facet's level", "filters/separation/max_entry.cpp", "double first = speed + step_.size",
-     "double first = speed"),
-    ("margin of a facet's other axes", "filters/separation/max_entry.cpp",
-     "level - kError * (step_.size + step_.speed + level)",
-     "level + kError * (step_.size + step_.speed + level)"),
-    ("bend of a facet's parameters", "filters/separation/max_entry.cpp", "at_root.s += fraction * ds;", "at_root.s += ds;"),
-    # Their roundings are many, and at their worst for no input that is known: the errors found are a 140th and a
-    # thousandth of them.
+    ("change of a difference near a time", "filters/separation/straight_differences.hpp", "value.error += radius *",
+     "value.error += radius / 16 *"),
+    ("rounding of a difference's ends", "filters/separation/straight_differences.hpp",
+     "to = {end, numbers::kRounding *", "to = {end, numbers::kRounding / 16 *"),
+    ("the distance's sign before an entry", "filters/separation/entry.cpp", "if (excess.sign() <= 0)", "if (false)"),
+    ("change of the closest points' vectors", "filters/separation/closest_near.hpp", "h * (std::fabs(slope[k].value)",
+     "h / 16 * (std::fabs(slope[k].value)"),
+    # Its roundings are many, and at their worst for no input that is known: the errors found are a 140th of it.
     ("kClosestError", "filters/separation/precise_closest.hpp", "kClosestError = 2048 *", "kClosestError = -16 *"),
-    ("kFacetError", "filters/separation/precise_facet.hpp", "kFacetError = 2048 *", "kFacetError = 2048 / 4096.0 *"),
     ("the least product at the corners", "filters/separation/precise_closest.hpp", "at_t.lowest = lowest_at_corners",
      "at_t.lowest = 0 * lowest_at_corners"),
     ("least size for closest points", "filters/separation/entry_step.hpp", "kLeastSize = 0x1p-150",
@@ -222,8 +221,10 @@ SEPARATION_FAULTS = [
      " || largest_of(n) >= 0.5 * kLeastFraction * step.size;", " || true;"),
     ("underflow guard of a direction's square", "filters/apart/separating_direction.cpp",
      "if (!(square >= kLeastSquare)) return false;", ""),
-    ("parameters' distance from a border", "filters/separation/entry.cpp", "if (!strictly_closest(",
-     "if (false && !strictly_closest("),
+    ("other points in the metric max", "filters/separation/entry.cpp", "if (!certainly_closest(feet))", "if (false)"),
+    ("other points in the metric max at the start", "filters/separation/closest_feet.hpp",
+     "if (!certainly_closest(closest))", "if (false)"),
+    ("other points", "filters/separation/closest_near.hpp", "&& others_are_farther(whole, a, b)", ""),
 ]
 
 # Of elements that share a vertex, and of what is inside closed surfaces: only tests/mesh knows these.
@@ -318,7 +319,10 @@ CURVED_FAULTS = [
     ("error of a curved root between doubles", "filters/curved/curved_time.hpp",
      "std::fabs(rest) + root.error < nearest",
      "std::fabs(rest) + root.error / 16 < nearest"),
-    ("error of a curved quotient", "filters/curved/curved_time.hpp", "kMostError = 0x1p-52", "kMostError = 0x1p-48"),
+    ("error of a curved quotient", "numbers/doubles/bounded.hpp", "kMostError = 0x1p-52", "kMostError = 0x1p-48"),
+    ("size of a quotient's divisor", "numbers/doubles/bounded.hpp", "- 2 * b.error", "+ 2 * b.error"),
+    ("error of a quotient's divisor", "numbers/doubles/bounded.hpp", "(a.error + std::fabs(value) * b.error",
+     "(a.error + std::fabs(value) * b.error / 16"),
     ("later roots than one", "filters/curved/curved_bracket.cpp", "++changes > 1", "++changes > 3"),
     ("error of a root's offset", "filters/curved/curved_bracket.cpp", "off = (1 + 0x1p-20) * (value_off",
      "off = 0x1p-20 * (value_off"),
@@ -331,7 +335,7 @@ CURVED_FAULTS = [
 # The tests of tests/curved that search for faults of a file. They come first, so that most faults are found in seconds.
 CURVED_SEARCHES = {
     "geometry/arc_bulge.hpp": "the bulge of an arc*",
-    "numbers/doubles/bounded.hpp": "curved bounds: the slack*,curved bracket: what numbers*,curved bracket: no sign*",
+    "numbers/doubles/bounded.hpp": "curved bounds: *,curved bracket: what numbers*,curved bracket: no sign*",
     "filters/curved/curved_chords.cpp": "the filter's chords*",
     "filters/curved/curved_form.cpp": "curved bounds: *,curved bracket: polynomials*",
     "filters/curved/curved_frame.cpp": "curved bracket: polynomials*,curved bracket: the frame*",

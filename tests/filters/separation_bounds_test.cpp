@@ -8,9 +8,10 @@
 #include "filters/apart/same_side.hpp"
 #include "filters/apart/separating_direction.hpp"
 #include "filters/frame_case.hpp"
+#include "filters/separation/closest_near.hpp"
 #include "filters/separation/entry_walk.hpp"
 #include "filters/separation/precise_closest.hpp"
-#include "filters/separation/precise_facet.hpp"
+#include "filters/separation/straight_differences.hpp"
 #include "support/catch.hpp"
 
 using namespace touchstone;
@@ -99,6 +100,53 @@ struct ExactPlace {
   }
   Exact along(const ExactVector& n, int s, int q) const {
     return dot(n, r) - Exact(s) * dot(n, u) - Exact(q) * dot(n, w);
+  }
+};
+
+/// A number and its derivative.
+struct Moving {
+  Exact value, slope;
+};
+Moving operator+(const Moving& a, const Moving& b) { return {a.value + b.value, a.slope + b.slope}; }
+Moving operator-(const Moving& a, const Moving& b) { return {a.value - b.value, a.slope - b.slope}; }
+Moving operator*(const Moving& a, const Moving& b) {
+  return {a.value * b.value, a.value * b.slope + a.slope * b.value};
+}
+using MovingVector = std::array<Moving, 3>;
+Moving dot(const MovingVector& a, const MovingVector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+
+/// The closest points of two edges of which `free` parameters are free, by Cramer's rule.
+struct ExactClosest {
+  Moving gap, measure;  ///< the squared distance is gap / measure
+  Exact s, q;           ///< times the measure
+
+  ExactClosest(const FrameCase& of, filters::Free free, const filters::Parameters& p, const Exact& t) {
+    const ExactPlace start(of.query, 0), end(of.query, 1);
+    const auto moving = [&t](const ExactVector& from, const ExactVector& to) {
+      MovingVector v;
+      for (std::size_t k = 0; k < 3; ++k) v[k] = {from[k] + t * (to[k] - from[k]), to[k] - from[k]};
+      return v;
+    };
+    const auto minus = [](MovingVector a, const MovingVector& b) {
+      for (std::size_t k = 0; k < 3; ++k) a[k] = a[k] - b[k];
+      return a;
+    };
+    const MovingVector u = moving(start.u, end.u), w = moving(start.w, end.w);
+    MovingVector c = moving(start.r, end.r);
+    const bool s_free = free == filters::Free::s || free == filters::Free::both;
+    const bool q_free = free == filters::Free::q || free == filters::Free::both;
+    if (!s_free && p.s == 1) c = minus(c, u);
+    if (!q_free && p.q == 1) c = minus(c, w);
+    const Moving uu = dot(u, u), ww = dot(w, w), uw = dot(u, w), cu = dot(c, u), cw = dot(c, w), cc = dot(c, c);
+    const Moving one = {Exact(1), Exact(0)};
+    measure = s_free && q_free ? uu * ww - uw * uw : s_free ? uu : q_free ? ww : one;
+    const Moving s_times = s_free && q_free ? cu * ww - cw * uw : cu,
+                 q_times = s_free && q_free ? cw * uu - cu * uw : cw;
+    s = s_free ? s_times.value : Exact(p.s) * measure.value;
+    q = q_free ? q_times.value : Exact(p.q) * measure.value;
+    gap = cc * measure;
+    if (s_free) gap = gap - cu * s_times;
+    if (q_free) gap = gap - cw * q_times;
   }
 };
 
@@ -292,32 +340,79 @@ TEST_CASE("the closest points in double-doubles are within their error", "[separ
   }
 }
 
-TEST_CASE("a facet's h in double-doubles is within its error", "[separation]") {
-  const auto ratio = [](const FrameCase& s, const std::vector<double>& x) {
+TEST_CASE("differences of moving points near a time are within their bounds", "[separation]") {
+  const double radius = 0x1p-36;
+  const auto ratio = [radius](const FrameCase& s, const std::vector<double>& x) {
     const filters::Step step(s.query);
-    const double t = share(x[24]);
-    const auto [facet, about] = filters::FacetSearch(step.domain, filters::bare_iterate(step, t)).best();
-    const double distance = about * (1 + share(x[25]));
-    if (!(about > 0 && filters::of_ordinary_size(step, distance))) return std::nan("");
-    const filters::PreciseFacet found = filters::precise_facet(filters::PreciseStep(s.query), facet, t, {distance, 0});
-    const ExactPlace exact(s.query, t);
-    const auto vector = [](const ExactVector& v) { return geometry::Vector<Exact>{{v[0], v[1], v[2]}}; };
-    geometry::Vector<Exact> n = {{Exact(0), Exact(0), Exact(0)}};
-    if (facet.sort == filters::Sort::face) n[facet.axis] = Exact(1);
-    if (facet.sort == filters::Sort::edge) {
-      n = filters::axis_cross(facet.axis, filters::edge_of(facet.free, vector(exact.u), vector(exact.w)), Exact(0));
-    }
-    if (facet.sort == filters::Sort::plane) n = geometry::cross(vector(exact.u), vector(exact.w));
-    Exact h(0);
+    const double t = share(x[24]), other = t + radius * (2 * share(x[25]) - 1);
+    const filters::StraightDifferences<filters::Jet> around = filters::differences_near(step, t, radius);
+    const ExactPlace start(s.query, 0), end(s.query, 1);
+    double worst = 0;
     for (std::size_t k = 0; k < 3; ++k) {
-      if (found.sign[k] == 0) continue;
-      const Exact p = exact.r[k] - Exact(facet.s) * exact.u[k] - Exact(facet.q) * exact.w[k];
-      h = h + Exact(facet.sign) * n[k] * (p - Exact(found.sign[k]) * Exact(distance));
+      const Exact slope = end.u[k] - start.u[k];
+      const Exact value = start.u[k] + (Exact(t) + Exact(other - t)) * slope;
+      worst =
+          std::max({worst, over(value - Exact(around.u[k].value.value), numbers::kBoundSlack * around.u[k].value.error),
+                    over(slope - Exact(around.u[k].slope.value), numbers::kBoundSlack * around.u[k].slope.error)});
     }
-    const double error = filters::kFacetError * filters::normal_size(step, facet) * (step.size + distance);
-    return over(Exact(found.h.high) + Exact(found.h.low) - h, error);
+    return worst;
   };
-  report("facet", searched(99, 2, 20000, frame_in_range, ratio), 0x1p-11);
+  report("near differences", searched(99, 2, 20000, frame_in_range, ratio));
+}
+
+TEST_CASE("differences of moving points at an inexact time are within their bounds", "[separation]") {
+  const auto ratio = [](const FrameCase& s, const std::vector<double>& x) {
+    const filters::PreciseStep step(s.query);
+    const double high = share(x[24]), low = std::ldexp(share(x[25]) - 0.5, -53) * high;
+    const double off = std::ldexp(share(x[26]), -110);
+    const auto at = filters::differences_at(step, {numbers::two_sum(high, low), off});
+    const Exact time = Exact(high) + Exact(low) + Exact(off) * Exact(2 * share(x[27]) - 1);
+    const ExactPlace start(s.query, 0), end(s.query, 1);
+    double worst = 0;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Exact value = start.u[k] + time * (end.u[k] - start.u[k]);
+      const Exact found = Exact(at.u[k].value.high) + Exact(at.u[k].value.low);
+      worst = std::max(worst, over(value - found, numbers::kBoundSlack * at.u[k].error));
+    }
+    return worst;
+  };
+  report("precise differences", searched(100, 4, 20000, frame_in_range, ratio), 0x1p-3);
+}
+
+TEST_CASE("the closest points soon after a time are within their bounds", "[separation]") {
+  for (const bool of_fall : {true, false}) {
+    const auto ratio = [of_fall](const FrameCase& s, const std::vector<double>& x) {
+      const filters::Step step(s.query);
+      const double t = share(x[24]);
+      const filters::StepAt place = filters::bare_iterate(step, t);
+      const filters::Parameters p = filters::closest(step.domain, place.r, place.u, place.w);
+      const filters::Vector about = filters::combined(place.r, place.u, place.w, p.s, p.q);
+      const double distance = std::sqrt(geometry::dot(about, about));
+      if (!filters::of_ordinary_size(step, distance)) return std::nan("");
+      const filters::PreciseStep precise(s.query);
+      const filters::PreciseClosest found = filters::precise_closest(step, precise, distance, t, p);
+      if (!found.ok) return std::nan("");
+      const double h = std::ldexp(share(x[25]), of_fall ? -30 : -50), later = h * share(x[26]);
+      const filters::ClosestNear near(step, found, h);
+      if (!near.certain()) return std::nan("");
+      const ExactClosest closest(s, filters::free_parameters(step.domain, p), p, Exact(t) + Exact(later));
+      if (of_fall) {
+        // D^2 = gap / measure falls at the rate (gap measure' - gap' measure) / measure^2.
+        const Exact square = closest.measure.value * closest.measure.value;
+        const Exact fall = closest.gap.value * closest.measure.slope - closest.gap.slope * closest.measure.value;
+        return over(fall - Exact(near.fall().value) * square,
+                    numbers::kBoundSlack * near.fall().error * value_of(square));
+      }
+      Answer answer;
+      if (!near.name(Kind::edge_edge, {later, 0}, answer)) return std::nan("");
+      const Exact& size = closest.measure.value;
+      const double s_off = over(closest.s - Exact(answer.weights_a[1]) * size, 0x1p-51 * value_of(size));
+      const double q_off = over(closest.q - Exact(answer.weights_b[1]) * size, 0x1p-51 * value_of(size));
+      return std::max(s_off, q_off);
+    };
+    report(of_fall ? "fall of the squared distance" : "weights of the closest points",
+           searched(101, 3, 20000, frame_in_range, ratio), 0x1p-4);
+  }
 }
 
 TEST_CASE("directions keep their hands off squares that underflow", "[separation]") {

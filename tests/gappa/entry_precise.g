@@ -1,17 +1,15 @@
-# kClosestError of precise_closest.hpp and kFacetError of precise_facet.hpp: sums and products of double-doubles near an
-# entry. As in contact_components.g, a double-double is high + e low; high parts' sums and products are exact pairs.
+# kClosestError of precise_closest.hpp: sums and products of double-doubles near an entry. As in contact_components.g, a
+# double-double is high + e low; high parts' sums and products are exact pairs.
 # SPDX-License-Identifier: MIT
 # constant kUnit src/core/filters/coplanarity_form.hpp
 # between kEuclidean src/core/filters/separation/precise_closest.hpp |constexpr double kClosestError = |;|
-# between kLargestAxis src/core/filters/separation/precise_facet.hpp |constexpr double kFacetError = |;|
 # constant kLeastFraction src/core/filters/separation/entry_step.hpp
 # constant kLeastSize src/core/filters/separation/entry_step.hpp
 # not with kEuclidean: 700 * 0x1p-106
-# not with kLargestAxis: 650 * 0x1p-106
 # not with kLeastSize: 0x1p-480
 
 e = @kUnit@;
-# The smallest product is one of |c| and S, or of the distance and S.
+# The smallest product is one of |c| and S.
 tiny = 0x1p-1071 / (@kLeastFraction@ * @kLeastSize@ * @kLeastSize@ * e * e);
 
 # A difference u at t in [0, 1]: from + t (to - from), in units of its bound U. Differences of corners are exact.
@@ -45,16 +43,6 @@ dot = 3 * product + 14.02 + 25.07;
 cu = dot + 3 * at * 1.001;
 cc = dot + 2 * 3 * c * 1.001 + 18;
 euclidean = (cc + cu) * (e * e);
-
-# The largest axis. A corner p is r without u or w, and a = p - d sigma: three differences of pairs, in units of S + d.
-plain_low = (2.01 * y_8 + (1.002 * l_v - 1.002 * l_d) * (1 + e * d_15)) * (1 + e * d_16);
-plain_off = plain_low - (2.01 * y_8 + 1.002 * l_v - 1.002 * l_d);
-a = at * 1.001 + 3 * 6.03;
-# A component of n = u x w: in units of N = 2 U W, the half of two products with their operands' errors, the roundings
-# of the difference, and `at` for an edge.
-n = (2 * (product + 2 * at * 1.001) + 6.001 + 8.01) / 2 + 2 * at;
-# h: three products n_k a_k and two sums, each normalised before the next; the first sum is with 0.
-largest_axis = (dot + 3 * (a + n) * 1.001) * (e * e);
 {
   every d_ <= 1 /\ every h_ <= 1 /\ every y_ <= 1 /\ every l_ <= 1 /\ |to_low| <= 1 /\ |from_low| <= 1
     /\ t in [0, 1] /\ x in [0, 1]
@@ -64,11 +52,9 @@ largest_axis = (dot + 3 * (a + n) * 1.001) * (e * e);
      |taken_low| <= 2.003 /\ |taken_off| - 3.01 * e <= 0 /\
      |minus_off| - 8.03 * e <= 0 /\
      |first_off| - 14.02 * e <= 0 /\ |second_off| - 25.07 * e <= 0 /\
-     |plain_off| - 6.03 * e <= 0 /\
      # What the comments there say.
      at <= 40 /\ c <= 80 /\ cu <= 300 /\
-     euclidean - @kEuclidean@ * (1 - 8 * e) <= 0 /\
-     largest_axis - @kLargestAxis@ * (1 - 8 * e) <= 0
+     euclidean - @kEuclidean@ * (1 - 8 * e) <= 0
 }
 change_off -> e * ((to_low - from_low) * d_1 + (2 * y_1 + (to_low - from_low) * (1 + e * d_1)) * d_2);
 part_off -> e * (t * (4.001 * l_change) * d_3 + (2 * y_2 + t * (4.001 * l_change) * (1 + e * d_3)) * d_4)
@@ -79,5 +65,3 @@ minus_off -> e * ((1.002 * l_v - 2.003 * l_taken) * d_9 + (2.01 * y_5 + (1.002 *
   + e * d_9)) * d_10);
 first_off -> e * (6.001 * l_first * d_11 + (2.01 * y_6 + 6.001 * l_first * (1 + e * d_11)) * d_12);
 second_off -> e * (11.02 * l_second * d_13 + (3.02 * y_7 + 11.02 * l_second * (1 + e * d_13)) * d_14);
-plain_off -> e * ((1.002 * l_v - 1.002 * l_d) * d_15 + (2.01 * y_8 + (1.002 * l_v - 1.002 * l_d) * (1
-  + e * d_15)) * d_16);

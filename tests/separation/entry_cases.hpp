@@ -39,12 +39,12 @@ enum class Difficulty : std::uint8_t {
   lattice      ///< small integers
 };
 inline constexpr std::array<Difficulty, 15> kDifficulties = {
-    Difficulty::plain,  Difficulty::border,  Difficulty::multiplier, Difficulty::small_gap, Difficulty::large_gap,
-    Difficulty::needle, Difficulty::slow,    Difficulty::violent,    Difficulty::early,     Difficulty::late,
-    Difficulty::within, Difficulty::extreme, Difficulty::rigid,      Difficulty::hovering,  Difficulty::lattice};
+    Difficulty::lattice,   Difficulty::plain,  Difficulty::border,  Difficulty::multiplier, Difficulty::small_gap,
+    Difficulty::large_gap, Difficulty::needle, Difficulty::slow,    Difficulty::violent,    Difficulty::early,
+    Difficulty::late,      Difficulty::within, Difficulty::extreme, Difficulty::rigid,      Difficulty::hovering};
 inline constexpr std::array<const char*, 15> kDifficultyNames = {
-    "plain", "border", "multiplier", "small gap", "large gap", "needle",   "slow",   "violent",
-    "early", "late",   "within",     "extreme",   "rigid",     "hovering", "lattice"};
+    "lattice", "plain", "border", "multiplier", "small gap", "large gap", "needle",  "slow",
+    "violent", "early", "late",   "within",     "extreme",   "rigid",     "hovering"};
 
 namespace entry_cases {
 
@@ -169,7 +169,7 @@ inline EntryCase make_entry(Kind kind, Difficulty difficulty, Metric metric, Rng
   for (std::size_t i = 0; i < first; ++i) velocity[i] = ec::sum(velocity[i], normal, -approach - normal_speed);
   double t = ec::time_of(difficulty, rng);
   if (difficulty == Difficulty::within && rng.one_in(2)) t = 0;
-  if (difficulty == Difficulty::late && rng.one_in(2)) result.t_max = ec::nudged(t, rng.between(-2, 2));
+  if (difficulty == Difficulty::late && rng.one_in(2)) result.t_max = std::min(ec::nudged(t, rng.between(-2, 2)), 1.0);
   for (std::size_t i = 0; i < corners; ++i) {
     query.start[i] = ec::sum(at[i], velocity[i], -t);
     query.end[i] = ec::sum(at[i], velocity[i], 1 - t);

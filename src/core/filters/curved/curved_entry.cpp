@@ -13,18 +13,12 @@
 #include <cstddef>
 #include <optional>
 
-#include "filters/curved/curved_feet.hpp"
 #include "filters/curved/curved_time.hpp"
 #include "filters/curved/curved_walk.hpp"
+#include "filters/separation/closest_feet.hpp"
 
 namespace touchstone::filters {
 namespace {
-
-using numbers::Bounded;
-using numbers::BoundedPair;
-using numbers::kBoundSlack;
-using numbers::kRounding;
-using Index = std::size_t;
 
 /// A polynomial with its derivative.
 template <class Form>
@@ -60,14 +54,6 @@ PointDifferences<N> differences_of(Kind kind, const geometry::Vector<N>& between
   return x;
 }
 
-/// Which points are the closest ones, as doubles tell.
-struct Hint {
-  Parameters p = {0, 0};
-  Free free = Free::none;
-  SignedFacet facet;    ///< in the metric max
-  double distance = 0;  ///< without the scale
-};
-
 class CurvedEntry {
  public:
   CurvedEntry(const CurvedQuery& query, const CurvedFrame& frame, const Separation& separation, double t_max,
@@ -75,10 +61,9 @@ class CurvedEntry {
       : query_(query),
         frame_(frame),
         kind_(query.kind),
-        domain_(domain_of(query.kind)),
-        metric_(separation.metric),
         t_max_(t_max),
         walk_(query, frame, separation),
+        closest_(query.kind, separation.metric, walk_.distance()),
         answer_(answer) {}
 
   Outcome decide() noexcept {
@@ -95,25 +80,18 @@ class CurvedEntry {
 
  private:
   StepAt iterate_at(double t) const noexcept;
-  Hint hint_at(double t) const noexcept;
   double about_entry(double low, double high) const noexcept;
   PointDifferences<Jet> near(double t, double radius) const noexcept;
   PointDifferences<BoundedPair> at(const BoundedPair& t) const noexcept;
-  template <class N>
-  Feet<N> feet(const Hint& hint, const PointDifferences<N>& x, bool own_level) const noexcept;
-  template <class N>
-  N excess(const Feet<N>& feet, const N& scale) const noexcept;
   Outcome enter(double low, double high) noexcept;
   Outcome starts_within() noexcept;
-  bool describe(const Hint& hint, const Feet<BoundedPair>& feet, Answer& answer) const noexcept;
 
   const CurvedQuery& query_;
   const CurvedFrame& frame_;
   Kind kind_;
-  Domain domain_;
-  Metric metric_;
   double t_max_;
   CurvedWalk walk_;
+  ClosestFeet closest_;
   Answer& answer_;
 };
 
@@ -138,48 +116,22 @@ StepAt CurvedEntry::iterate_at(double t) const noexcept {
   return iterate;
 }
 
-Hint CurvedEntry::hint_at(double t) const noexcept {
-  const StepAt iterate = iterate_at(t);
-  Hint hint;
-  if (metric_ == Metric::euclidean) {
-    hint.p = closest(domain_, iterate.r, iterate.u, iterate.w);
-    hint.free = free_parameters(domain_, hint.p);
-    const Vector c = combined(iterate.r, iterate.u, iterate.w, hint.p.s, hint.p.q);
-    hint.distance = std::sqrt(dot(c, c)) / iterate.t;
-    return hint;
-  }
-  const auto [facet, distance] = FacetSearch(domain_, iterate).best();
-  hint.facet.facet = facet;
-  hint.distance = distance / iterate.t;
-  hint.free = facet.free;
-  hint.p = {facet.s, facet.q};
-  const Vector n = normal_of(facet, iterate.u, iterate.w, 0.0, 1.0);
-  // An edge is measured along the two axes that count, and a plane's normal, without its sign, along all.
-  const Vector along = facet.sort == Sort::edge ? edge_of(facet.free, iterate.u, iterate.w) : n;
-  double largest = -1;
-  for (Index k = 0; k < 3; ++k) {
-    const bool counts = facet.sort == Sort::plane || (facet.sort == Sort::face) == (k == facet.axis);
-    hint.facet.sigma[k] = !counts ? 0 : n[k] < 0 ? -1 : 1;
-    if (!counts || std::fabs(along[k]) <= largest) continue;
-    largest = std::fabs(along[k]);
-    hint.facet.axis = k;
-    hint.facet.sign = (along[k] < 0) == (facet.sort == Sort::plane && facet.sign < 0) ? 1 : -1;
-  }
-  return hint;
-}
-
 /// By regula falsi, as Illinois has it: the distance is above the separation at `low` and below it at `high`.
 double CurvedEntry::about_entry(double low, double high) const noexcept {
   constexpr int kMostSteps = 60;
   constexpr double kNear = 0x1p-48;
   const double goal = walk_.distance();
-  double at_low = hint_at(low).distance - goal, at_high = hint_at(high).distance - goal;
+  const auto beyond = [&](double t) {
+    const StepAt iterate = iterate_at(t);
+    return closest_.hint_at(iterate).distance / iterate.t - goal;
+  };
+  double at_low = beyond(low), at_high = beyond(high);
   int side = 0;
   double t = high;
   for (int i = 0; i < kMostSteps && high - low > kNear * high; ++i) {
     t = low + (high - low) * (at_low / (at_low - at_high));
     if (!(t > low && t < high)) t = 0.5 * (low + high);
-    const double value = hint_at(t).distance - goal;
+    const double value = beyond(t);
     if (value == 0) return t;
     if (value > 0) {
       if (side > 0) at_high *= 0.5;
@@ -210,47 +162,6 @@ PointDifferences<BoundedPair> CurvedEntry::at(const BoundedPair& t) const noexce
   return differences_of(kind_, frame.between, frame.u, frame.w, frame.first_multiplier, frame.second_multiplier);
 }
 
-/// @param own_level  for the metric max: the closest points at their own distance in place of the separation
-template <class N>
-Feet<N> CurvedEntry::feet(const Hint& hint, const PointDifferences<N>& x, bool own_level) const noexcept {
-  if (metric_ == Metric::euclidean) return feet_of(domain_, hint.free, hint.p, x);
-  if (own_level) return feet_of<N>(domain_, hint.facet, x, nullptr);
-  const LevelOf<N> level = {exact_number<N>(walk_.distance()) * x.scale, exact_number<N>(1)};
-  return feet_of(domain_, hint.facet, x, &level);
-}
-
-/// It has the sign of the distance minus the separation.
-template <class N>
-N CurvedEntry::excess(const Feet<N>& feet, const N& scale) const noexcept {
-  const N reach = exact_number<N>(walk_.distance()) * scale;
-  return feet.gap - (metric_ == Metric::euclidean ? reach * reach : reach) * feet.measure;
-}
-
-bool CurvedEntry::describe(const Hint& hint, const Feet<BoundedPair>& feet, Answer& answer) const noexcept {
-  const auto weight = [&feet](Index i) { return quotient(feet.weights[i], feet.units[i]); };
-  double s = hint.p.s, q = hint.p.q, rest = 0;
-  switch (hint.free) {
-    case Free::none: break;
-    case Free::s: s = weight(0); break;
-    case Free::q: q = weight(0); break;
-    case Free::sum:
-      q = weight(0);
-      s = 1 - q;
-      break;
-    case Free::both:
-      s = weight(0);
-      q = weight(1);
-      if (domain_ == Domain::triangle) rest = weight(2);
-      break;
-  }
-  if (!(s + q + rest >= 0)) return false;  // NaN
-  name_closest(kind_, s, q, hint.free, answer);
-  if (hint.free == Free::both && domain_ == Domain::triangle) answer.weights_b[0] = rest;
-  answer.level = Level::bracket;
-  answer.contact = true;
-  return true;
-}
-
 /// The elements are apart up to about `low`, and seem to be within the separation at `high`.
 Outcome CurvedEntry::enter(double low, double high) noexcept {
   // All conditions must hold at all times within this radius of about the time of entry.
@@ -259,43 +170,39 @@ Outcome CurvedEntry::enter(double low, double high) noexcept {
   double t = about_entry(low, high);
   const double start = t - kRadius;
   if (!(t > 0 && t + kRadius <= 1)) return Outcome::uncertain;
-  const Hint hint = hint_at(t);
+  const Hint hint = closest_.hint_at(iterate_at(t));
   const PointDifferences<Jet> around = near(t, kRadius);
-  const Feet<Jet> closest = feet(hint, around, false);
-  if (!certainly_closest(closest)) return Outcome::uncertain;
-  const Bounded slope = excess(closest, around.scale).slope;
-  const double steep = -slope.value, least_steep = steep - kBoundSlack * slope.error;
-  if (!(least_steep > 0.5 * steep)) return Outcome::uncertain;
+  const Feet<Jet> feet = closest_.feet(hint, around, false);
+  if (!certainly_closest(feet)) return Outcome::uncertain;
+  const Bounded fall = -closest_.excess(feet, around.scale).slope;
+  if (fall.sign() <= 0) return Outcome::uncertain;
 
-  // The excess falls all around t. With the value v at t, its root is at t + v / s for a slope -s in between: off by at
-  // most (v's error + |v| (s's error) / s) / (least s), and e times it for each of 3 roundings. There is a root if
-  // |v| / (least s) does not lead out of the times that are looked at.
+  // The excess falls all around t. There is a root if the rest does not lead out of the times that are looked at.
+  const auto excess_at = [&](double time) {
+    const PointDifferences<BoundedPair> x = at(numbers::exact_pair(time));
+    return closest_.excess(closest_.feet(hint, x, false), x.scale);
+  };
   BoundedPair root;
   constexpr int kSteps = 2;
   for (int step = 0; step < kSteps; ++step) {
-    const PointDifferences<BoundedPair> x = at(numbers::exact_pair(t));
-    const BoundedPair v = excess(feet(hint, x, false), x.scale);
-    const double size = std::fabs(v.value.high);
-    const double reach = 1.125 * ((size + v.error) / least_steep);
+    const BoundedPair v = excess_at(t);
     const double radius = step == 0 ? std::min(kRadius, t) : 0x1p-40;
-    if (!(reach < std::min(radius, t))) return Outcome::uncertain;
-    const double off = (1 + 0x1p-20) * ((v.error + size * (4 * kRounding + slope.error / steep)) / least_steep);
-    root = {numbers::two_sum(t, v.value.high / steep), off};
+    const Bounded rest = numbers::rounded(v) / fall;
+    if (!(std::fabs(rest.value) + 2 * rest.error < std::min(radius, t))) return Outcome::uncertain;
+    root = {numbers::two_sum(t, rest.value), (1 + 0x1p-20) * rest.error};  // with room for the bound's own roundings
     constexpr double kGood = 0x1p-75;
     t = root.value.high;
     if (!(t > 0)) return Outcome::uncertain;
-    if (off <= kGood * t) break;
+    if (root.error <= kGood * t) break;
   }
-  const auto sign_at = [&](double time) {
-    const PointDifferences<BoundedPair> x = at(numbers::exact_pair(time));
-    return excess(feet(hint, x, false), x.scale).sign();
-  };
   double lower = 0;
+  const auto sign_at = [&](double time) { return excess_at(time).sign(); };
   if (!double_below(root, sign_at, true, lower)) return Outcome::uncertain;
   if (start > low * (1 - kLonger) && !walk_.farther_between(low, start)) return Outcome::uncertain;
   if (lower >= t_max_) return Outcome::no_contact;
   Answer answer;
-  if (!describe(hint, feet(hint, at(root), false), answer)) return Outcome::uncertain;
+  if (!closest_.name(hint, closest_.feet(hint, at(root), false), answer)) return Outcome::uncertain;
+  answer.level = Level::bracket;
   answer.nature = Nature::entering;
   answer.trend = Trend::approaching;
   answer.toi = lower;
@@ -306,23 +213,10 @@ Outcome CurvedEntry::enter(double low, double high) noexcept {
 
 /// The elements seem to be within the separation at t = 0.
 Outcome CurvedEntry::starts_within() noexcept {
-  const Hint hint = hint_at(0);
-  const PointDifferences<Jet> around = near(0, 0);
-  const Feet<Jet> closest = feet(hint, around, true);
-  if (!certainly_closest(closest) || excess(closest, around.scale).sign() >= 0) return Outcome::uncertain;
-  // The distance, or its square, without the scale: gap / whole.
-  const Jet factor = metric_ == Metric::euclidean ? around.scale * around.scale : around.scale;
-  const Jet whole = closest.measure * factor;
-  const int course = (closest.gap.slope * whole.value - closest.gap.value * whole.slope).sign();
-  if (course == 0) return Outcome::uncertain;
-  Answer answer;
-  if (!describe(hint, feet(hint, at(numbers::exact_pair(0)), true), answer)) return Outcome::uncertain;
-  answer.nature = Nature::sustained;
-  answer.trend = course < 0 ? Trend::approaching : Trend::leaving;
-  answer.toi = answer.toi_upper = 0;
-  answer.starts_within = true;
-  answer_ = answer;
-  return Outcome::contact;
+  const Outcome finding =
+      closest_.starts_within(closest_.hint_at(iterate_at(0)), near(0, 0), at(numbers::exact_pair(0)), false, answer_);
+  if (finding == Outcome::contact) answer_.level = Level::bracket;
+  return finding;
 }
 
 }  // namespace

@@ -1,12 +1,10 @@
-// The doubles beside a root that is known with a bound on its error, and quotients there.
+// The doubles beside a root that is known with a bound on its error.
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <cstdint>
-#include <limits>
 
 #include "numbers/doubles/bounded.hpp"
 
@@ -15,17 +13,6 @@ namespace touchstone::filters {
 /// The doubles beside x > 0.
 inline double after(double x) noexcept { return std::bit_cast<double>(std::bit_cast<std::uint64_t>(x) + 1); }
 inline double before(double x) noexcept { return std::bit_cast<double>(std::bit_cast<std::uint64_t>(x) - 1); }
-
-/// a / b in [0, 1], b > 0, within 2^-51; NaN where that is not certain.
-inline double quotient(const numbers::BoundedPair& a, const numbers::BoundedPair& b) noexcept {
-  // a / b is off by at most (x + y) / (B - y), for a and b off by x and y, and a / b in [0, 1]. The rest is for 2
-  // roundings.
-  constexpr double kMostError = 0x1p-52;
-  if (!(a.error + b.error <= kMostError * b.value.high)) return std::numeric_limits<double>::quiet_NaN();
-  const double first = a.value.high / b.value.high;
-  const numbers::BoundedPair rest = a - numbers::exact_pair(first) * b;
-  return std::clamp(first + rest.value.high / b.value.high, 0.0, 1.0);
-}
 
 /// Sets `lower` to the greatest double below a root > 0 that is no double itself; false where that is not certain.
 /// @param sign_at        the sign at a double of a function that changes it at the root, 0 when uncertain

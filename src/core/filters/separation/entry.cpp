@@ -10,7 +10,10 @@
 // In the Euclidean metric, both bounds meet when (s, q) are the closest points' and n is their c. So the time is walked
 // to from below: at each time, the closest points in doubles give a direction, and the direction proves a piece of the
 // step free. These pieces become shorter by squares. Near the end, the closest points in double-doubles prove that D >
-// d up to some double, and that D <= d at the next one.
+// d at some double.
+//
+// From that double until the next one, one pair of features has the only closest points: the conditions for that hold
+// strictly at all these times. So D falls all along, and the exact time lies between the two.
 //
 // A direction may also turn: let it go evenly from n0 to n1 while t goes from t0 to t1. Then n . c is a quadratic,
 // whose Bernstein coefficients are n0 . c(t0), the mean of n0 . c(t1) and n1 . c(t0), and n1 . c(t1). The norm is at
@@ -20,270 +23,223 @@
 #include "filters/separation/entry.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <cstddef>
 #include <limits>
 
+#include "filters/separation/closest_feet.hpp"
+#include "filters/separation/closest_near.hpp"
 #include "filters/separation/entry_walk.hpp"
-#include "filters/separation/max_entry.hpp"
 #include "filters/separation/precise_closest.hpp"
+#include "filters/separation/straight_differences.hpp"
 
 namespace touchstone::filters {
 namespace {
 
-class EuclideanEntry {
+class StraightEntry {
  public:
-  EuclideanEntry(const Query& query, const Separation& separation, double t_max, Answer& answer) noexcept
+  StraightEntry(const Query& query, const Separation& separation, double t_max, Answer& answer) noexcept
       : kind_(query.kind),
         separation_(separation),
-        distance_(separation.distance),
         t_max_(t_max),
         step_(query),
         precise_(query),
+        closest_(query.kind, separation.metric, separation.distance),
         answer_(answer) {}
 
   Outcome decide() noexcept {
+    const bool is_euclidean = separation_.metric == Metric::euclidean;
     return decide_by_walk(
-        step_, separation_, t_max_, [this](double t) { return closest_iterate(t); },
+        step_, separation_, t_max_,
+        [this, is_euclidean](double t) { return is_euclidean ? closest_iterate(t) : facet_iterate(t); },
         [this](const StepAt& from) { return enter(from); },
         [this](const StepAt& start) { return starts_within(start); });
   }
 
  private:
-  Parameters closest_at(const StepAt& iterate) const noexcept {
-    return closest(step_.domain, iterate.r, iterate.u, iterate.w);
-  }
+  static constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
   /// The iterate whose direction is between the closest points.
   StepAt closest_iterate(double t) const noexcept {
     StepAt iterate = bare_iterate(step_, t);
-    const Parameters p = closest_at(iterate);
+    const Parameters p = closest(step_.domain, iterate.r, iterate.u, iterate.w);
     iterate.n = combined(iterate.r, iterate.u, iterate.w, p.s, p.q);
     // |c|^2 falls by twice the approach a time.
     const double approach = -dot(iterate.n, combined(step_.r_slope, step_.u_slope, step_.w_slope, p.s, p.q));
     const double length = std::sqrt(dot(iterate.n, iterate.n));
-    if (approach > 0) iterate.until = (length - distance_) * length / approach;
+    if (approach > 0) iterate.until = (length - separation_.distance) * length / approach;
     return iterate;
+  }
+
+  /// The iterate whose direction is the best facet's normal. Without one, the direction is 0, which shows nothing.
+  StepAt facet_iterate(double t) const noexcept {
+    StepAt iterate = bare_iterate(step_, t);
+    const auto [facet, distance] = FacetSearch(step_.domain, iterate).best();
+    if (!(distance > 0)) return iterate;
+    const Vector n = normal_of(facet, iterate.u, iterate.w, 0.0, 1.0);
+    iterate.n = scaled_direction(n);
+    // D |n|_1 = n . p, where both n and p move.
+    const Vector rate = normal_rate(facet, iterate.u, iterate.w);
+    const Vector p = combined(iterate.r, iterate.u, iterate.w, facet.s, facet.q);
+    double norm_rate = 0;
+    for (std::size_t k = 0; k < 3; ++k) norm_rate += n[k] > 0 ? rate[k] : n[k] < 0 ? -rate[k] : 0;
+    const double slope = dot(rate, p) + dot(n, corner_velocity(facet)) - distance * norm_rate;
+    const double norm = dual_norm(n, Metric::max);
+    if (slope < 0) iterate.until = (distance - separation_.distance) * norm / -slope;
+    return iterate;
+  }
+
+  Vector normal_rate(const Facet& facet, const Vector& u, const Vector& w) const noexcept {
+    Vector rate = {{0, 0, 0}};
+    if (facet.sort == Sort::edge) {
+      rate = axis_cross(facet.axis, edge_of(facet.free, step_.u_slope, step_.w_slope), 0.0);
+    } else if (facet.sort == Sort::plane) {
+      const Vector of_u = cross(step_.u_slope, w), of_w = cross(u, step_.w_slope);
+      rate = {{of_u[0] + of_w[0], of_u[1] + of_w[1], of_u[2] + of_w[2]}};
+    }
+    for (double& x : rate.c) x *= facet.sign;
+    return rate;
+  }
+
+  Vector corner_velocity(const Facet& facet) const noexcept {
+    return combined(step_.r_slope, step_.u_slope, step_.w_slope, facet.s, facet.q);
   }
 
   /// The elements are apart up to an iterate, and come within the separation soon after it.
   Outcome enter(const StepAt& from) noexcept {
     const double estimate = from.t + from.until;
     if (!(estimate >= 0 && estimate <= 1)) return Outcome::uncertain;
-    const Parameters p = closest_at(bare_iterate(step_, estimate));
-    // Newton's steps in double-doubles find the neighbouring doubles.
-    double toi = estimate;
+    const StepAt iterate = bare_iterate(step_, estimate);
+    return separation_.metric == Metric::euclidean ? enter_by_points(from, iterate) : enter_by_facet(from, iterate);
+  }
+
+  Outcome enter_by_points(const StepAt& from, const StepAt& iterate) noexcept {
+    const Parameters p = closest(step_.domain, iterate.r, iterate.u, iterate.w);
+    PreciseClosest found;
+    double toi = iterate.t;
+    const bool is_beside = is_beside_entry(toi, [&](double t) {
+      found = precise_closest(step_, precise_, separation_.distance, t, p);
+      const double s = found.p.s + found.ds, q = found.p.q + found.dq;
+      const double approach = -dot(found.c, combined(step_.r_slope, step_.u_slope, step_.w_slope, s, q));
+      return found.ok && approach > 0 ? found.excess / (2 * approach) : kNone;
+    });
+    if (!is_beside) return Outcome::uncertain;
+    const double upper = std::nextafter(toi, 2.0);
+    const ClosestNear near(step_, found, upper - toi);
+    if (!near.certain()) return Outcome::uncertain;
+    // Let n be c as it is computed, in double-doubles. At all corners, n . c is at least |n|^2 + lowest, and at most D
+    // |n| at the closest points. So D^2 is between |n|^2 + 2 lowest and |n|^2. If |n|^2 + 2 lowest > d^2, then (|n| +
+    // lowest / |n|)^2 is greater, too: n keeps the elements farther apart than d.
+    const Bounded excess = {found.excess, 3 * found.error - 2 * found.lowest};
+    return conclude(from, toi, upper, excess, near.fall(), found.c,
+                    [&](const Bounded& later) { return near.name(kind_, later, answer_); });
+  }
+
+  Outcome enter_by_facet(const StepAt& from, const StepAt& iterate) noexcept {
+    // All conditions must hold at all times within this radius of the estimate.
+    constexpr double kRadius = 0x1p-36;
+    const Hint hint = closest_.hint_at(iterate);
+    const StraightDifferences<Jet> around = differences_near(step_, iterate.t, kRadius);
+    const Feet<Jet> feet = closest_.feet(hint, around, false);
+    if (!certainly_closest(feet)) return Outcome::uncertain;
+    const Bounded fall = -closest_.excess(feet, around.scale).slope;
+    if (fall.sign() <= 0) return Outcome::uncertain;
+    StraightDifferences<BoundedPair> x;
+    BoundedPair excess;
+    double toi = iterate.t;
+    const bool is_beside = is_beside_entry(toi, [&](double t) {
+      x = differences_at(precise_, numbers::exact_pair(t));
+      excess = closest_.excess(closest_.feet(hint, x, false), x.scale);
+      return excess.value.high / fall.value;
+    });
+    if (!is_beside || !(std::fabs(toi - iterate.t) < 0.5 * kRadius)) return Outcome::uncertain;
+    Vector n = {};
+    if (!find_normal(hint.facet.facet, x, n)) return Outcome::uncertain;
+    const double upper = std::nextafter(toi, 2.0);
+    return conclude(from, toi, upper, numbers::rounded(excess), fall, n, [&](const Bounded& later) {
+      const BoundedPair root = {numbers::two_sum(toi, later.value), later.error};
+      return closest_.name(hint, closest_.feet(hint, differences_at(precise_, root), false), answer_);
+    });
+  }
+
+  /// The facet's normal, off by little more than a rounding of its largest coordinate; false where it is not known so
+  /// well.
+  static bool find_normal(const Facet& facet, const StraightDifferences<BoundedPair>& x, Vector& n) noexcept {
+    constexpr double kSmall = 0x1p-60;
+    const auto normal = normal_of(facet, x.u, x.w, numbers::exact_pair(0), numbers::exact_pair(1));
+    n = {{normal[0].value.high, normal[1].value.high, normal[2].value.high}};
+    if (!(std::max({normal[0].error, normal[1].error, normal[2].error}) <= kSmall * largest_of(n))) return false;
+    n = scaled_direction(n);
+    return true;
+  }
+
+  /// Moves `toi` by Newton's steps to a double that is just before the entry. False where there is none.
+  /// @param rest_at  about the time from a double to the entry
+  template <class RestAt>
+  static bool is_beside_entry(double& toi, const RestAt& rest_at) noexcept {
     constexpr int kMostSteps = 4;
     for (int i = 0; i < kMostSteps; ++i) {
-      const PreciseClosest found = precise_closest(step_, precise_, distance_, toi, p);
-      if (!found.ok) return Outcome::uncertain;
-      const Vector velocity = velocity_of(found);
-      const double approach = -dot(found.c, velocity);
-      if (!(approach > 0)) return Outcome::uncertain;
-      const double rest = found.excess / (2 * approach);  // until the entry
-      const double upper = std::nextafter(toi, 2.0);
-      if (!(rest > 0 && rest < upper - toi)) {
-        const DoubleDouble better = numbers::two_sum(toi, rest);
-        const double below = better.low < 0 ? std::nextafter(better.high, -1.0) : better.high;
-        if (below == toi || !(below >= 0 && below <= 1)) return Outcome::uncertain;
-        toi = below;
-        continue;
-      }
-      return conclude(from, toi, upper, found, velocity);
+      const double rest = rest_at(toi);
+      if (rest > 0 && rest < std::nextafter(toi, 2.0) - toi) return true;
+      const DoubleDouble better = numbers::two_sum(toi, rest);
+      const double below = better.low < 0 ? std::nextafter(better.high, -1.0) : better.high;
+      if (below == toi || !(below >= 0 && below <= 1)) return false;
+      toi = below;
     }
-    return Outcome::uncertain;
+    return false;
   }
 
-  Vector velocity_of(const PreciseClosest& found) const noexcept {
-    return combined(step_.r_slope, step_.u_slope, step_.w_slope, found.p.s + found.ds, found.p.q + found.dq);
-  }
-
-  Outcome conclude(const StepAt& from, double toi, double upper, const PreciseClosest& found,
-                   const Vector& velocity) noexcept {
-    const double length = std::sqrt(dot(found.c, found.c));
-    // D > d up to toi. For n = c, |n|^2 - d |n| = |n| / (|n| + d) (|n|^2 - d^2).
-    if (toi > from.t) {
-      if (!(found.excess > found.error)) return Outcome::uncertain;
-      const double fraction = length / (length + distance_) * (1 - 8 * kUnit);
-      if (!(fraction * (found.excess - found.error) + found.lowest > found.error)) return Outcome::uncertain;
-      if (!stays_clear(step_, from, toi, found.c, separation_)) return Outcome::uncertain;
-    }
+  /// @param excess  by how much the distance, or its square, is above that of the separation at toi
+  /// @param fall    how fast it falls until the next double, `upper`; the closest points are the only ones until then
+  /// @param n       a direction along which the elements are farther apart than the separation at toi, up to a rounding
+  /// @param name    writes the closest points at a time so much later than toi; false where they are not certain
+  template <class Name>
+  Outcome conclude(const StepAt& from, double toi, double upper, const Bounded& excess, const Bounded& fall,
+                   const Vector& n, const Name& name) noexcept {
+    if (excess.sign() <= 0) return Outcome::uncertain;
+    if (toi > from.t && !stays_clear(step_, from, toi, n, separation_)) return Outcome::uncertain;
     if (upper > t_max_) return Outcome::no_contact;
-    // D <= d at the next double: |c + h velocity|^2 - d^2 <= 0. Nothing cancels in the change, because `describe` asks
-    // for an approach far above the terms that are taken from it.
-    const double h = upper - toi;
-    const double approach = -dot(found.c, velocity);
-    const double speed = step_.speed;
-    const double slope_error = kWalkError * largest_of(found.c) * (speed + step_.size);
-    const double change = 2 * h * (approach - slope_error) - 5 * h * h * speed * speed;
-    if (!(found.excess + found.error < change * (1 - 8 * kUnit))) return Outcome::uncertain;
-    return describe(toi, upper, h, found, velocity, approach, slope_error, Nature::entering);
-  }
-
-  /// How fast the free parameters move, from c . u = 0 and c . w = 0 at all times: the derivative of c for fixed
-  /// parameters is the velocity.
-  Parameters rates(const PreciseClosest& found, const Vector& velocity, Free free) const noexcept {
-    const double u = dot(velocity, found.u) + dot(found.c, step_.u_slope);
-    const double w = dot(velocity, found.w) + dot(found.c, step_.w_slope);
-    return changes_of_free(found, free, u, w, u - w);
-  }
-
-  /// How far the parameters may be from those of the closest points at the exact time; infinite where that is unknown.
-  struct ParameterError {
-    double ds, dq;
-    double longer;  ///< at least as much as |c|^2 may exceed the squared distance for that
-  };
-  /// @param h         the time between the neighbouring doubles
-  /// @param cu_error  how far c . u may be from 0 for a free s at the exact time, beyond found.cu; likewise cw_error
-  ParameterError parameter_error(const PreciseClosest& found, Free free, double h, double cu_error,
-                                 double cw_error) const noexcept {
-    constexpr double kUnknown = std::numeric_limits<double>::infinity();
-    constexpr double kSolveReserve = 4;
-    const double speed = step_.speed, u_size = step_.u_size, w_size = step_.w_size;
-    // Whether a squared length is that of an edge which neither the time h nor roundings change by more than 2^-38.
-    const auto is_long = [h, speed](double square, double size) {
-      constexpr double kLong = 0x1p80;
-      return square >= kLong * (16 * h * h * speed * speed) && square * kLong >= size * size;
-    };
-    // Along one edge, whose product with c may be so large.
-    const auto along = [&](double square, double size, double most) {
-      return is_long(square, size) ? kSolveReserve * most / square : kUnknown;
-    };
-    double cu_most = std::fabs(found.cu) + cu_error, cw_most = std::fabs(found.cw) + cw_error;
-    switch (free) {
-      case Free::none: break;
-      case Free::s: {
-        const double ds = along(found.uu, u_size, cu_most);
-        return {ds, 0, ds * cu_most};
-      }
-      case Free::q: {
-        const double dq = along(found.ww, w_size, cw_most);
-        return {0, dq, dq * cw_most};
-      }
-      case Free::sum: {
-        const double most = std::fabs(found.difference) + cu_error + cw_error;
-        const double ds = along(found.ee, u_size + w_size, most);
-        return {ds, ds, ds * most};
-      }
-      case Free::both: {
-        // Changes by 2^-38 of the lengths, and roundings, change a determinant of this size by less than a tenth.
-        const double determinant = found.uu * found.ww - found.uw * found.uw;
-        const bool are_long = is_long(found.uu, u_size) && is_long(found.ww, w_size);
-        if (!(are_long && determinant >= 0x1p-24 * found.uu * found.ww)) return {kUnknown, kUnknown, kUnknown};
-        // The rates solve a system of two equations by Cramer's rule. Let A be u^2 w^2 / determinant, F and G the first
-        // derivatives of c . u and c . w: F <= 3 speed (U + C), off by 16 e F, and G likewise. The products and the
-        // difference are off by 5 e, the determinant by 4 e A of its size. Put into the first equation, the rates leave
-        // less than (2 (16 e + 5 e) A + 8 e A^2) (F + G |u| / |w|), and into the second the same with u for w.
-        const double c_size = largest_of(found.c);
-        const double amplified = found.uu * found.ww / determinant;
-        const double left = 64 * kUnit * amplified * amplified * 3 * speed * h;
-        const double ratio = std::sqrt(found.uu / found.ww);
-        const double first = left * (u_size + c_size), second = left * (w_size + c_size);
-        cu_most += first + second * ratio;
-        cw_most += second + first / ratio;
-        const double ds = kSolveReserve * (cu_most * found.ww + cw_most * std::fabs(found.uw)) / determinant;
-        const double dq = kSolveReserve * (cw_most * found.uu + cu_most * std::fabs(found.uw)) / determinant;
-        return {ds, dq, ds * cu_most + dq * cw_most};
-      }
-    }
-    return {0, 0, 0};
-  }
-
-  /// The answer, once the exact time is known to lie in [toi, upper], where h = upper - toi and the velocity is that of
-  /// c.
-  Outcome describe(double toi, double upper, double h, const PreciseClosest& found, const Vector& velocity,
-                   double approach, double slope_error, Nature nature) noexcept {
-    const double speed = step_.speed;
-    const double c_size = largest_of(found.c);
-    const double u_size = step_.u_size, w_size = step_.w_size;
-    // The exact time is toi + rest. |c|^2 falls by 2 approach a time. That is off by slope_error and by what `approach`
-    // itself changes; `approach_error` below asks for less than kSmall of it in all. c is longer than the distance by
-    // their difference at the parameters' own errors; that is less than found.error, too.
-    constexpr double kSmall = 0x1p-30;
-    double rest = 0, rest_error = 0;
-    if (h > 0) {
-      rest = std::clamp(found.excess / (2 * approach), 0.0, h);
-      rest_error = found.error / approach + 4 * kSmall * h;
-    }
-    // How far the parameters move until the exact time, as far as it is known.
-    const Free free = free_parameters(step_.domain, found.p);
-    const Parameters rate = rates(found, velocity, free);
-    const double shift = (rest + rest_error) * (std::fabs(rate.s) + std::fabs(rate.q));
-    constexpr double kMostChange = 0x1p-40;  // small beside the margin of free parameters
-    if (!(shift <= kMostChange)) return Outcome::uncertain;
-    // How far c . u and c . w, for parameters that move at their rates, may be from 0 at the exact time. Their first
-    // derivatives for fixed parameters are at most 3 speed (U + C). Their second ones are at most 6 speed^2 and,
-    // because u and w change while the parameters move, 12 (|s'| + |q'|) speed (U + W). The rates' own roundings are
-    // relative to the first derivatives. The velocity's part 2 e S, times h <= e, is far below kClosestError S.
-    constexpr double kRateError = 0x1p-40;
-    const double drift = 4 * speed * (rest_error + kRateError * h);
-    const double bend = 8 * h * h * speed * speed + 8 * h * shift * speed * (u_size + w_size);
-    const double cu_error = drift * (u_size + c_size) + bend + kClosestError * step_.size * (c_size + u_size);
-    const double cw_error = drift * (w_size + c_size) + bend + kClosestError * step_.size * (c_size + w_size);
-    const auto [ds, dq, longer] = parameter_error(found, free, h, cu_error, cw_error);
-    constexpr double kMostError = 0x1p-52;  // leaves room for roundings below 2^-50
-    if (!(ds <= kMostError && dq <= kMostError)) return Outcome::uncertain;
-    if (!(longer <= found.error)) return Outcome::uncertain;
-    // `approach` changes by |velocity|^2 h, and as c and the velocity change with the parameters: by at most
-    // 3 speed (U + W + C) for each unit of these.
-    const double approach_error =
-        slope_error + 4 * h * speed * speed + 4 * (shift + ds + dq) * speed * (u_size + w_size + c_size);
-    if (h > 0 && !(approach_error <= kSmall * approach)) return Outcome::uncertain;
-    // Multipliers at the exact time: c . u and c . w also change with the time and the parameters themselves.
-    const double moved = 4 * (2 * kMostError + shift) * (u_size + w_size) + 4 * h * speed;
-    const double turned = 4 * h * speed * c_size;
-    if (!strictly_closest(found, free, cu_error + moved * u_size + turned, cw_error + moved * w_size + turned)) {
-      return Outcome::uncertain;
-    }
-    // The distance falls or rises at the exact time, too, but for elements that do not move against each other.
-    const bool still = nature == Nature::sustained && precise_.is_still();
-    const bool certain = nature == Nature::entering ? approach > approach_error : std::fabs(approach) > approach_error;
-    if (!certain && !still) return Outcome::uncertain;
-    answer_.contact = true;
+    const Bounded later = excess / fall;
+    if (fall.sign() <= 0 || (Bounded{upper - toi, 0} - later).sign() <= 0) return Outcome::uncertain;
+    if (!name(later)) return Outcome::uncertain;
+    answer_.nature = Nature::entering;
+    answer_.trend = Trend::approaching;
     answer_.toi = toi;
     answer_.toi_upper = upper;
-    answer_.nature = nature;
-    answer_.trend = still ? Trend::constant : approach > 0 ? Trend::approaching : Trend::leaving;
-    answer_.starts_within = nature == Nature::sustained;
-    name_closest(kind_, found.p.s + (found.ds + rest * rate.s), found.p.q + (found.dq + rest * rate.q), free, answer_);
     return Outcome::contact;
-  }
-
-  /// Whether moving a parameter off its border certainly takes the points apart, to first order.
-  bool strictly_closest(const PreciseClosest& found, Free free, double cu_error, double cw_error) const noexcept {
-    bool strictly = true;
-    for_each_multiplier(step_.domain, free, found.p, [&](int i, int j) {
-      const bool of_both = (i != 0 && j != 0) || free == Free::sum;
-      const double error = of_both ? 2 * (cu_error + cw_error) : i != 0 ? cu_error : cw_error;
-      strictly &= (i == 0 ? j * found.cw : j == 0 ? i * found.cu : j * found.difference) > error;
-    });
-    return strictly;
   }
 
   /// The elements are perhaps within the separation at t = 0.
   Outcome starts_within(const StepAt& start) noexcept {
-    const PreciseClosest found = precise_closest(step_, precise_, distance_, 0, closest_at(start));
+    const bool still = precise_.is_still();
+    if (separation_.metric == Metric::max) {
+      return closest_.starts_within(closest_.hint_at(start), differences_near(step_, 0, 0),
+                                    differences_at(precise_, numbers::exact_pair(0)), still, answer_);
+    }
+    const Parameters p = closest(step_.domain, start.r, start.u, start.w);
+    const PreciseClosest found = precise_closest(step_, precise_, separation_.distance, 0, p);
     if (!found.ok || !(found.excess < -found.error)) return Outcome::uncertain;
-    const Vector velocity = velocity_of(found);
-    const double approach = -dot(found.c, velocity);
-    const double speed = step_.speed;
-    return describe(0, 0, 0, found, velocity, approach, kWalkError * largest_of(found.c) * (speed + step_.size),
-                    Nature::sustained);
+    const ClosestNear near(step_, found, 0);
+    const int course = -near.fall().sign();
+    if (!near.certain() || (course == 0 && !still)) return Outcome::uncertain;
+    if (!near.name(kind_, {}, answer_)) return Outcome::uncertain;
+    name_start(course, answer_);
+    return Outcome::contact;
   }
 
   Kind kind_;
   const Separation& separation_;
-  double distance_, t_max_;
+  double t_max_;
   Step step_;
   PreciseStep precise_;
+  ClosestFeet closest_;
   Answer& answer_;
 };
 
 }  // namespace
 
 Outcome decide_entry(const Query& query, const Separation& separation, double t_max, Answer& answer) noexcept {
-  if (separation.metric == Metric::max) return decide_max_entry(query, separation, t_max, answer);
-  return EuclideanEntry(query, separation, t_max, answer).decide();
+  return StraightEntry(query, separation, t_max, answer).decide();
 }
 
 }  // namespace touchstone::filters

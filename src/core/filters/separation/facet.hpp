@@ -1,5 +1,20 @@
 // The facets of the sum of the polygon of all differences of two elements and a cube, and the search for the one whose
-// direction keeps the elements farthest apart. See max_entry.cpp.
+// direction keeps the elements farthest apart.
+//
+// In the largest-axis metric, the elements are within d of each other when the polygon of all differences c = r - s u -
+// q w meets the cube [-d, d]^3. The sum of the polygon and the cube has facets of three sorts. So these directions n
+// are enough to tell (separating axes of two convex bodies):
+//   face:  n is an axis: a face of the cube and a corner of the polygon;
+//   edge:  n = axis x e: an edge of the cube and an edge e of the polygon;
+//   plane: n = u x w: a corner of the cube and the polygon itself.
+// D(t) is the largest value of n . c / |n|_1 over these n, each at the corner c at which n . c is least.
+//
+// Near the entry one facet decides. Let p be a corner of the polygon on it, sigma_k the sign of n_k, and
+// a = p - d sigma. Then n . a = n . p - d |n|_1 is a polynomial of degree 1, 2 or 3, which falls to 0 at the entry.
+// There c = d sigma along the axes with n_k != 0 is a linear system for the point on the facet. Its solution must lie
+// inside the polygon's edge or plane, and within d along the other axes. As n . a falls, so does the level at which
+// the system's solution lies, and with it D.
+// The other corners have greater n . c, and every n_k of an edge or plane is not zero. So no other point is as near.
 // SPDX-License-Identifier: MIT
 #pragma once
 
@@ -47,7 +62,7 @@ geometry::Vector<N> normal_of(const Facet& facet, const geometry::Vector<N>& u, 
   if (facet.sort == Sort::face) n[facet.axis] = one;
   if (facet.sort == Sort::edge) n = axis_cross(facet.axis, edge_of(facet.free, u, w), zero);
   if (facet.sort == Sort::plane) n = cross(u, w);
-  for (N& x : n.c) x = facet.sign * x;
+  for (N& x : n.c) x = facet.sign < 0 ? -x : x;
   return n;
 }
 

@@ -63,15 +63,17 @@ inline Parameters changes_of_free(const PreciseClosest& at_t, Free free, double 
 }
 
 /// Whether the corrected parameters are those of points of the elements: free ones are inside by more than the
-/// corrections. Those are at most 2^-20 each, so a free weight stays 2^-20 or more from 0 and 1, also the one that both
+/// corrections, and the others are exactly at an end. Corrections are at most 2^-20 each, and 2^-22 in all where
+/// closest_near.hpp corrects once more. So a free weight stays 2^-20 or more from 0 and 1, also the one that both
 /// correct.
 inline bool are_inside(Domain domain, Free free, const Parameters& p) noexcept {
   constexpr double kMargin = 0x1p-18;
   const auto inside = [](double x) { return x >= kMargin && x <= 1 - kMargin; };
+  const auto at_end = [](double x) { return x == 0 || x == 1; };
   switch (free) {
-    case Free::none: return true;
-    case Free::s: return inside(p.s);
-    case Free::q: return inside(p.q);
+    case Free::none: return at_end(p.s) && at_end(p.q) && (domain == Domain::square || p.s + p.q <= 1);
+    case Free::s: return inside(p.s) && at_end(p.q);
+    case Free::q: return inside(p.q) && at_end(p.s);
     case Free::sum: return inside(p.s) && inside(p.q) && p.s + p.q == 1;
     case Free::both: return inside(p.s) && inside(p.q) && (domain == Domain::square || inside(p.s + p.q));
   }

@@ -6,7 +6,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "numbers/doubles/double_double.hpp"
 
@@ -44,6 +46,15 @@ inline Bounded operator*(const Bounded& a, const Bounded& b) noexcept {
   return {value, std::fabs(a.value) * b.error + a.error * (std::fabs(b.value) + b.error) +
                      (kRounding * std::fabs(value) + kUnderflow)};
 }
+/// Where b may be 0, the error is infinite: its true value is within kBoundSlack times its error, which is less than 2.
+inline Bounded operator/(const Bounded& a, const Bounded& b) noexcept {
+  // With a = A + x and b = B + y: a / b - A / B = (x - (a / b) y) / B, and |B| is at least |b| - |y|.
+  const double value = a.value / b.value;
+  const double least = std::fabs(b.value) - 2 * b.error;
+  const double error =
+      (a.error + std::fabs(value) * b.error + kUnderflow) / least + (kRounding * std::fabs(value) + kUnderflow);
+  return {value, least > 0 ? error : std::numeric_limits<double>::infinity()};
+}
 
 /// The same for double-doubles, whose low part is at most e times the high part. In a sum, the high parts add up
 /// exactly. The sum of the low parts rounds, and so does what is added to it: with A and B the high parts, by at most
@@ -75,6 +86,20 @@ inline BoundedPair operator*(const BoundedPair& a, const BoundedPair& b) noexcep
   const double a_size = std::fabs(a.value.high), b_size = std::fabs(b.value.high);
   return {value,
           a_size * b.error + a.error * (b_size + b.error) + (kPairProduct * std::fabs(value.high) + kPairUnderflow)};
+}
+
+/// Its high part.
+inline Bounded rounded(const BoundedPair& x) noexcept { return {x.value.high, std::fabs(x.value.low) + x.error}; }
+
+/// a / b in [0, 1], b > 0, within 2^-51; NaN where that is not certain.
+inline double quotient(const BoundedPair& a, const BoundedPair& b) noexcept {
+  // a / b is off by at most (x + y) / (B - y), for a and b off by x and y, and a / b in [0, 1]. The rest is for 2
+  // roundings.
+  constexpr double kMostError = 0x1p-52;
+  if (!(a.error + b.error <= kMostError * b.value.high)) return std::numeric_limits<double>::quiet_NaN();
+  const double first = a.value.high / b.value.high;
+  const BoundedPair rest = a - exact_pair(first) * b;
+  return std::clamp(first + rest.value.high / b.value.high, 0.0, 1.0);
 }
 
 }  // namespace touchstone::numbers

@@ -45,8 +45,6 @@ inline BoundedPair bounded(SmallInt x) noexcept {
   return {two_sum(static_cast<double>(x.value() - low), static_cast<double>(low)), 0};
 }
 
-inline Bounded rounded(const BoundedPair& x) noexcept { return {x.value.high, std::fabs(x.value.low) + x.error}; }
-
 inline BoundedPair value_at(const BoundedPair* c, int size, const BoundedPair& t) noexcept {
   BoundedPair value = c[size - 1];
   for (int i = size - 2; i >= 0; --i) value = value * t + c[i];
