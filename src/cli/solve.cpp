@@ -13,9 +13,9 @@
 #include "cli/shared/progress/query_progress.hpp"
 #include "cli/shared/progress/summary.hpp"
 #include "cli/shared/words.hpp"
+#include "io/answers/answer_writer.hpp"
 #include "io/fail.hpp"
 #include "io/output_file.hpp"
-#include "io/queries/answer_writer.hpp"
 #include "io/queries/query_parser.hpp"
 
 namespace touchstone::cli {

@@ -10,7 +10,7 @@
 
 #include "cli/run_program.hpp"
 #include "cli/sample_files.hpp"
-#include "io/queries/answer_writer.hpp"
+#include "io/answers/answer_writer.hpp"
 #include "io/queries/curved_rows.hpp"
 #include "io/queries/separation_text.hpp"
 #include "io/times.hpp"

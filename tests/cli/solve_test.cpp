@@ -6,7 +6,7 @@
 #include "cli/run_program.hpp"
 #include "cli/sample_files.hpp"
 #include "cli/solve.hpp"
-#include "io/queries/answer_writer.hpp"
+#include "io/answers/answer_writer.hpp"
 #include "support/catch.hpp"
 
 using namespace touchstone;

@@ -147,10 +147,11 @@ class TruthSeparation {
   Separation current_;  ///< of the file that is being read
 };
 
-std::string what_was_judged(const CertifyOptions& options, const std::vector<Input>& inputs,
-                            const Questions& questions) {
+std::string what_was_judged(const CertifyOptions& options, const std::string& left_out,
+                            const std::vector<Input>& inputs, const Questions& questions) {
   std::string text = "claims of ";
   text += options.claims.empty() ? "the truth column" : io::printable(options.claims);
+  if (!left_out.empty()) text += " (" + left_out + ")";
   if (!options.files.empty()) {
     text += ", " + counted(inputs.size(), "file");
   } else {
@@ -161,15 +162,15 @@ std::string what_was_judged(const CertifyOptions& options, const std::vector<Inp
   return separation->distance > 0 ? text + ", " + separation_for_person(*separation) : text;
 }
 
-std::string summary(const CertifyOptions& options, const std::vector<Input>& inputs, const Questions& questions,
-                    const certify::Tally& tally, const std::vector<certify::RefutedClaim>& first_refuted,
-                    double seconds, int threads) {
+std::string summary(const CertifyOptions& options, const std::string& left_out, const std::vector<Input>& inputs,
+                    const Questions& questions, const certify::Tally& tally,
+                    const std::vector<certify::RefutedClaim>& first_refuted, double seconds, int threads) {
   const certify::VerdictCounts& verdicts = tally.verdicts;
   const std::uint64_t refuted = verdicts.refuted();
   std::string text = refuted == 0
                          ? fmt::format("all {} claims hold", grouped(verdicts.claims()))
                          : fmt::format("{} of {} claims refuted", grouped(refuted), grouped(verdicts.claims()));
-  text += fmt::format(" ({})\n", what_was_judged(options, inputs, questions));
+  text += fmt::format(" ({})\n", what_was_judged(options, left_out, inputs, questions));
   text += verdicts_for_person(verdicts);
   text += counts_for_person({verdicts.claims(), tally.levels, tally.natures});
   text += early_for_person(tally.early);
@@ -192,6 +193,7 @@ std::string summary(const CertifyOptions& options, const std::vector<Input>& inp
 
 int run_certify(const CertifyOptions& options) {
   if (options.files.empty() && options.kind) throw Error("--kind goes with files; the bundled queries know theirs");
+  if (options.claims.empty() && !options.columns.empty()) throw Error("--columns says what a file of --claims has");
   if (options.files.empty() && options.claims.empty() && options.separation.given) {
     throw Error(
         "--separation goes with files or --claims; the truth column of each bundled file is about a separation of its "
@@ -213,7 +215,9 @@ int run_certify(const CertifyOptions& options) {
   const auto separations_of_file = options.proofs.empty() ? SeparationsOfFile::several : SeparationsOfFile::one;
   std::optional<ClaimStream> claims;
   if (!options.claims.empty()) {
-    claims.emplace(options.claims, inputs, options.separation, separations_of_file, options.chunk_bytes);
+    const io::ClaimColumns columns =
+        options.columns.empty() ? io::ClaimColumns() : io::parse_claim_columns(options.columns);
+    claims.emplace(options.claims, columns, inputs, options.separation, separations_of_file, options.chunk_bytes);
   }
   std::optional<GrowingReport> report;
   if (!options.report.empty()) report.emplace(options.report);
@@ -257,16 +261,18 @@ int run_certify(const CertifyOptions& options) {
       });
   const double seconds = progress.seconds();
 
+  const std::string left_out = claims ? claims->left_out() : "";
   if (report) {
     const std::string source = options.claims.empty() ? "truth column" : options.claims;
-    report->finish(report_begin({std::string(name_of(options.method)), source, questions.only()}, tally, files));
+    report->finish(
+        report_begin({std::string(name_of(options.method)), source, left_out, questions.only()}, tally, files));
   }
   if (proofs) proofs->finish();
   progress.wipe();
   turns.tell();
   if (options.report != "-" && options.proofs != "-") {
     auto console = io::OutputFile::standard_output();
-    console.write(summary(options, inputs, questions, tally, first_refuted, seconds, threads));
+    console.write(summary(options, left_out, inputs, questions, tally, first_refuted, seconds, threads));
     console.commit();
   }
   return tally.verdicts.refuted() == 0 ? kAllHold : kRefuted;
@@ -283,10 +289,15 @@ void add_certify(CLI::App& program, Command& command) {
                          "The separation that the claims are about, for files that do not say it");
   subcommand
       ->add_option("--claims", options->claims,
-                   "The claims to judge: CSV whose header names query and contact, and optionally file and toi, one "
-                   "row a query in the order of the queries; or, named *.json, a list of true and false (default: the "
-                   "truth column of the query files)")
+                   "The claims to judge, one a query in the order of the queries: CSV with the columns contact and, "
+                   "if they like, query, toi and file; or JSON, lines of JSON, .npy or .npz (default: the truth "
+                   "column of the query files)")
       ->type_name("FILE");
+  subcommand
+      ->add_option("--columns", options->columns,
+                   "What the columns of the claims are, in order, where they have other names or none: query, contact, "
+                   "toi, file, separation, metric, or - for one that is not read")
+      ->type_name("NAMES");
   subcommand
       ->add_option(
           "--report", options->report,

@@ -10,9 +10,10 @@
 namespace touchstone::cli {
 
 struct CertifyOptions : QueryOptions {
-  std::string claims;  ///< an answers file; empty: the truth column
-  std::string report;  ///< empty: none
-  std::string proofs;  ///< the file for the proofs of the exact answers; empty: none
+  std::string claims;   ///< an answers file; empty: the truth column
+  std::string columns;  ///< of the claims; empty: as their header says
+  std::string report;   ///< empty: none
+  std::string proofs;   ///< the file for the proofs of the exact answers; empty: none
 };
 
 int run_certify(const CertifyOptions& options);

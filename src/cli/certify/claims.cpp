@@ -5,7 +5,6 @@
 
 #include <filesystem>
 
-#include "cli/shared/json_list.hpp"
 #include "cli/shared/progress/interrupt.hpp"
 #include "cli/shared/words.hpp"
 #include "io/fail.hpp"
@@ -13,14 +12,27 @@
 
 namespace touchstone::cli {
 
-ClaimStream::ClaimStream(const std::string& path, const std::vector<Input>& inputs, const SeparationOption& separation,
-                         SeparationsOfFile separations_of_file, std::size_t chunk_bytes)
+ClaimStream::ClaimStream(const std::string& path, const io::ClaimColumns& columns, const std::vector<Input>& inputs,
+                         const SeparationOption& separation, SeparationsOfFile separations_of_file,
+                         std::size_t chunk_bytes)
     : name_(path), inputs_(inputs), separation_(separation), separations_of_file_(separations_of_file) {
-  if (path.ends_with(".json")) {
-    listed_ = read_json_list<bool>(path, [](const json::JsonNode& node) { return node.boolean(); });
+  if (is_list_of_claims(path)) {
+    listed_ = read_listed_claims(path, columns);
   } else {
-    reader_.emplace(io::InputFile::open(path, throw_if_interrupted), chunk_bytes);
+    reader_.emplace(io::InputFile::open(path, throw_if_interrupted), columns, chunk_bytes);
   }
+}
+
+std::string ClaimStream::left_out() const {
+  const std::vector<std::string>& unread = reader_ ? reader_->unread_columns() : listed_.unread;
+  std::string text = (reader_ ? reader_->has_times() : listed_.have_times) ? "" : "no times";
+  if (unread.empty()) return text;
+  text += std::string(text.empty() ? "" : ", ") + "not read:";
+  constexpr std::size_t kMost = 5;
+  for (std::size_t i = 0; i < unread.size() && i < kMost; ++i)
+    text += (i == 0 ? " " : " and ") + io::in_quotes(unread[i]);
+  if (unread.size() > kMost) text += " and " + std::to_string(unread.size() - kMost) + " more";
+  return text;
 }
 
 void ClaimStream::read(const QueryItem& item, std::vector<StatedClaim>& claims) {
@@ -28,7 +40,7 @@ void ClaimStream::read(const QueryItem& item, std::vector<StatedClaim>& claims) 
   for (std::size_t i = 0; i < item.chunk.query_count; ++i) {
     const std::uint64_t query = item.chunk.first_query + i;
     io::AnswerRow row;
-    if (!next(query, row)) {
+    if (!next(row)) {
       refuse(reader_ ? reader_->last_row() : 0, fmt::format("the claims end here, after {}; query {} of {} has none",
                                                             grouped(claims_), query, io::printable(input.name)));
     }
@@ -38,10 +50,10 @@ void ClaimStream::read(const QueryItem& item, std::vector<StatedClaim>& claims) 
       known_input_ = item.input;
       has_known_file_ = true;
     }
-    if (row.query != query) {
+    if (row.query.value_or(query) != query) {
       refuse(row.row,
              fmt::format("query is {} where {} of {} comes next; claims must be in the order of the queries, one each",
-                         row.query, query, io::printable(input.name)));
+                         *row.query, query, io::printable(input.name)));
     }
     const Separation separation = separation_of(row);
     if (separations_of_file_ == SeparationsOfFile::one) check_one_separation(separation, row.row, query, input);
@@ -52,15 +64,17 @@ void ClaimStream::read(const QueryItem& item, std::vector<StatedClaim>& claims) 
 
 void ClaimStream::finish() {
   io::AnswerRow row;
-  if (!next(0, row)) return;
+  if (!next(row)) return;
   refuse(row.row, fmt::format("a claim too many; there are only {} in the query files", counted(claims_, "query")));
 }
 
-bool ClaimStream::next(std::uint64_t query, io::AnswerRow& row) {
+bool ClaimStream::next(io::AnswerRow& row) {
   if (reader_) return reader_->next(row);
-  if (claims_ == listed_.size()) return false;
-  row.query = query;
-  row.contact = listed_[claims_];
+  if (claims_ == listed_.claims.size()) return false;
+  const ListedClaim& claim = listed_.claims[claims_];
+  row.query = claim.query;
+  row.contact = claim.contact;
+  row.toi = claim.toi;
   return true;
 }
 

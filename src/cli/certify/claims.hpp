@@ -10,9 +10,10 @@
 
 #include <touchstone/certify.hpp>
 
+#include "cli/certify/listed_claims.hpp"
 #include "cli/shared/command_line/separation_options.hpp"
 #include "cli/shared/inputs.hpp"
-#include "io/queries/answer_reader.hpp"
+#include "io/answers/answer_reader.hpp"
 
 namespace touchstone::cli {
 
@@ -25,16 +26,20 @@ struct StatedClaim {
 /// Whether the claims about one query file may be about several separations.
 enum class SeparationsOfFile : bool { one, several };
 
-/// The claims must be in the order of the queries, one for each. The `query` column of an answers file counts from 0
-/// within each query file, and its `file` column, if it has one, names the file as the command line does. A file whose
-/// name ends in .json is a JSON list of booleans: whether there is contact.
+/// The claims must be in the order of the queries, one for each. The `query` column of an answers file, if it has one,
+/// counts from 0 within each query file, and its `file` column, if it has one, names the file as the command line does.
+/// Files that listed_claims.hpp reads are no such table.
 class ClaimStream {
  public:
   /// @param separation  what the claims must be about. When it is not given, a claim is about the separation of its
   ///                    row, and about touching when the file has no such column
-  /// @throws FileError when the file cannot be read, is no list of booleans or has not the header of an answers file
-  ClaimStream(const std::string& path, const std::vector<Input>& inputs, const SeparationOption& separation,
-              SeparationsOfFile separations_of_file, std::size_t chunk_bytes);
+  /// @param columns     of --columns; empty without
+  /// @throws FileError when the file cannot be read or holds no claims
+  ClaimStream(const std::string& path, const io::ClaimColumns& columns, const std::vector<Input>& inputs,
+              const SeparationOption& separation, SeparationsOfFile separations_of_file, std::size_t chunk_bytes);
+
+  /// What is left out, for the verdict's line: "no times" and "not read: column 'ns'"; empty when nothing is.
+  std::string left_out() const;
 
   /// Appends the claims about the queries of `item`. @throws FileError at the first that is missing, another query's,
   /// or about another separation
@@ -44,7 +49,7 @@ class ClaimStream {
   void finish();
 
  private:
-  bool next(std::uint64_t query, io::AnswerRow& row);
+  bool next(io::AnswerRow& row);
   void check_file(const io::AnswerRow& row, const Input& input);
 
   Separation separation_of(const io::AnswerRow& row) const;
@@ -57,8 +62,8 @@ class ClaimStream {
   SeparationsOfFile separations_of_file_;
   Separation file_separation_;  ///< of the first claim about the present query file
   std::optional<io::AnswerReader> reader_;
-  std::vector<bool> listed_;  ///< without a reader
-  std::string known_file_;    ///< the last name that was compared, and found to be that of known_input_
+  ListedClaims listed_;     ///< without a reader
+  std::string known_file_;  ///< the last name that was compared, and found to be that of known_input_
   std::size_t known_input_ = 0;
   bool has_known_file_ = false;
   std::uint64_t claims_ = 0;

@@ -162,6 +162,7 @@ std::string report_begin(const ReportHeading& heading, const certify::Tally& tal
   json["touchstone"] = version();
   json["method"] = heading.method;
   json["claims_from"] = heading.claims_from;
+  if (!heading.left_out.empty()) json["left_out"] = heading.left_out;
   if (heading.separation) put_separation(json, *heading.separation);
   json["claims"] = json_of(tally.verdicts);
   for (const Level level : {Level::filter, Level::bracket, Level::exact, Level::oracle}) {

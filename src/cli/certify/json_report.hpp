@@ -3,7 +3,9 @@
 //   {
 //     "touchstone": "0.2.0",                   version of the program
 //     "method": "fast",                        which code answered: "fast", "exact", "oracle" or "fast-cgal"
-//     "claims_from": "truth column",           or the name of the answers file
+//     "claims_from": "truth column",           or the name of the file of claims
+//     "left_out": "no times",                  what that file does not say, and which of its columns are not read; left
+//                                              out when that is nothing
 //     "separation": "0x1p-3",                  the separation that all claims are about; left out for touching, and
 //     "metric": "euclidean",                   when the claims are about different ones
 //     "claims": {"judged", "holds", "missed", "phantom", "late"},            counts
@@ -52,7 +54,8 @@ namespace touchstone::cli {
 
 struct ReportHeading {
   std::string method;                    ///< "fast", "exact", "oracle" or "fast-cgal"
-  std::string claims_from;               ///< "truth column" or the name of an answers file
+  std::string claims_from;               ///< "truth column" or the name of a file of claims
+  std::string left_out;                  ///< as ClaimStream::left_out
   std::optional<Separation> separation;  ///< nothing: the claims are about different ones
 };
 

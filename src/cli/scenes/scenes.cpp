@@ -17,9 +17,9 @@
 #include "cli/shared/progress/interrupt.hpp"
 #include "cli/shared/progress/pipeline.hpp"
 #include "cli/shared/words.hpp"
+#include "io/answers/answer_writer.hpp"
 #include "io/fail.hpp"
 #include "io/output_file.hpp"
-#include "io/queries/answer_writer.hpp"
 #include "io/sha256.hpp"
 #include "report/own_process.hpp"
 

@@ -55,26 +55,6 @@ void for_each_value(io::InputFile& file, const io::NpyHeader& header, std::uint6
   }
 }
 
-std::int64_t index_at(const char* at, const io::NpyHeader& header) {
-  const bool is_signed = header.kind == 'i';
-  switch (header.size) {
-    case 1: return is_signed ? std::int64_t{static_cast<std::int8_t>(*at)} : static_cast<std::uint8_t>(*at);
-    case 2: {
-      const auto value = io::unsigned_at<std::uint16_t>(at, header.order);
-      return is_signed ? std::int64_t{static_cast<std::int16_t>(value)} : value;
-    }
-    case 4: {
-      const auto value = io::unsigned_at<std::uint32_t>(at, header.order);
-      return is_signed ? std::int64_t{static_cast<std::int32_t>(value)} : value;
-    }
-    default: {
-      const auto value = io::unsigned_at<std::uint64_t>(at, header.order);
-      constexpr std::uint64_t kMost = std::numeric_limits<std::int64_t>::max();
-      return static_cast<std::int64_t>(is_signed ? value : std::min(value, kMost));
-    }
-  }
-}
-
 }  // namespace
 
 ArrayShape shape_of_positions(const std::string& file, const std::string& name,
@@ -125,7 +105,7 @@ IndexRows read_npy_indices(std::string_view file, std::string_view content) {
   io::InputFile memory = io::InputFile::from_memory(std::string(file), content);
   const io::NpyHeader header = io::read_npy_header(memory, content.size(), kExampleShape);
   const std::vector<std::uint64_t>& extents = header.extents;
-  if (header.kind == 'f' || extents.size() != 2 || (extents[1] != 2 && extents[1] != 3)) {
+  if (header.kind == 'f' || header.kind == 'b' || extents.size() != 2 || (extents[1] != 2 && extents[1] != 3)) {
     io::fail(file, std::string("an array of ") + (header.kind == 'f' ? "floating-point numbers" : "integers") +
                        " of shape " + io::shape_text(extents) +
                        "; a topology has integers of shape (faces, 3) or (edges, 2)");
@@ -134,7 +114,7 @@ IndexRows read_npy_indices(std::string_view file, std::string_view content) {
   const char* at = content.data() + header.header_size;
   for (std::uint64_t i = 0; i < header.values; ++i, at += header.size) {
     const std::uint64_t to = header.fortran ? i % extents[0] * extents[1] + i / extents[0] : i;
-    rows.values[to] = index_at(at, header);
+    rows.values[to] = io::integer_at(at, header);
   }
   return rows;
 }

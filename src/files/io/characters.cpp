@@ -34,4 +34,10 @@ bool is_control(char32_t code) noexcept {
                      [&](const Range& range) { return code >= range.first && code <= range.last; });
 }
 
+std::string_view without_blanks(std::string_view text) noexcept {
+  const std::size_t first = text.find_first_not_of(" \t");
+  if (first == std::string_view::npos) return {};
+  return text.substr(first, text.find_last_not_of(" \t") - first + 1);
+}
+
 }  // namespace touchstone::io

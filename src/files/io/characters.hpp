@@ -20,4 +20,7 @@ Character character_at(std::string_view text, std::size_t at) noexcept;
 /// marks that change the direction of text, and characters without a width that are no part of a word.
 bool is_control(char32_t code) noexcept;
 
+/// Without spaces and tabs at both ends.
+std::string_view without_blanks(std::string_view text) noexcept;
+
 }  // namespace touchstone::io

@@ -136,6 +136,12 @@ void JsonNode::fail(std::string_view reason) const {
   throw Error((path_.empty() ? std::string(whole_) : path_) + ": " + std::string(reason));
 }
 
+std::vector<std::string> JsonNode::keys() const {
+  std::vector<std::string> keys;
+  for (const auto& [key, value] : value_->items()) keys.push_back(key);
+  return keys;
+}
+
 void JsonNode::check_keys(std::initializer_list<std::string_view> keys) const {
   if (!value_->is_object()) fail("must be an object");
   for (const auto& item : value_->items()) {

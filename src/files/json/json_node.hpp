@@ -44,6 +44,10 @@ class JsonNode {
   void check_keys(std::initializer_list<std::string_view> keys) const;
 
   bool is_object() const noexcept { return value_->is_object(); }
+  bool is_number() const noexcept { return value_->is_number(); }
+  bool is_text() const noexcept { return value_->is_string(); }
+  bool is_null() const noexcept { return value_->is_null(); }
+  std::vector<std::string> keys() const;  ///< of an object
   bool has(std::string_view key) const;
   JsonNode at(std::string_view key) const;  ///< @throws Error when it is missing
   std::optional<JsonNode> find(std::string_view key) const;

@@ -3,7 +3,7 @@
 
 #include <fmt/format.h>
 
-#include "io/queries/answer_writer.hpp"
+#include "io/answers/answer_writer.hpp"
 #include "io/times.hpp"
 #include "sequence/report_json.hpp"
 

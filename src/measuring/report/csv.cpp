@@ -7,7 +7,7 @@
 
 #include <touchstone/version.hpp>
 
-#include "io/queries/answer_writer.hpp"
+#include "io/answers/answer_writer.hpp"
 #include "io/times.hpp"
 #include "report/machine.hpp"
 

@@ -9,7 +9,7 @@
 
 #include <touchstone/version.hpp>
 
-#include "io/queries/answer_writer.hpp"
+#include "io/answers/answer_writer.hpp"
 #include "report/machine.hpp"
 #include "report/own_process.hpp"
 #include "report/text.hpp"

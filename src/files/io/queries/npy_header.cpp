@@ -82,7 +82,8 @@ class HeaderText {
     const bool is_known =
         type.size() == 3 && std::string_view("<>=|").find(type[0]) != std::string_view::npos &&
         ((type[1] == 'f' && (type[2] == '4' || type[2] == '8')) ||
-         ((type[1] == 'i' || type[1] == 'u') && std::string_view("1248").find(type[2]) != std::string_view::npos));
+         ((type[1] == 'i' || type[1] == 'u') && std::string_view("1248").find(type[2]) != std::string_view::npos) ||
+         (type[1] == 'b' && type[2] == '1'));
     if (!is_known || (type[0] == '|' && type[2] != '1')) {
       fail("has the type " + in_quotes(type) + "; read are float64 and float32, and integers for topology");
     }
@@ -149,6 +150,31 @@ void read_exactly(InputFile& file, char* to, std::size_t count) {
     to += got;
     count -= got;
   }
+}
+
+std::int64_t integer_at(const char* at, const NpyHeader& header) {
+  const bool is_signed = header.kind == 'i';
+  switch (header.size) {
+    case 1: return is_signed ? std::int64_t{static_cast<std::int8_t>(*at)} : static_cast<std::uint8_t>(*at);
+    case 2: {
+      const auto value = unsigned_at<std::uint16_t>(at, header.order);
+      return is_signed ? std::int64_t{static_cast<std::int16_t>(value)} : value;
+    }
+    case 4: {
+      const auto value = unsigned_at<std::uint32_t>(at, header.order);
+      return is_signed ? std::int64_t{static_cast<std::int32_t>(value)} : value;
+    }
+    default: {
+      const auto value = unsigned_at<std::uint64_t>(at, header.order);
+      constexpr std::uint64_t kMost = std::numeric_limits<std::int64_t>::max();
+      return static_cast<std::int64_t>(is_signed ? value : std::min(value, kMost));
+    }
+  }
+}
+
+double number_at(const char* from, const NpyHeader& header) {
+  if (header.kind != 'f') return static_cast<double>(integer_at(from, header));
+  return header.size == 4 ? float_at(from, header.order) : double_at(from, header.order);
 }
 
 NpyHeader read_npy_header(InputFile& file, std::uint64_t file_size, std::string_view example_shape) {

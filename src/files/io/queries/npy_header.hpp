@@ -17,7 +17,7 @@ namespace touchstone::io {
 inline constexpr std::string_view kNpyMagic = "\x93NUMPY";
 
 struct NpyHeader {
-  char kind = 'f';  ///< 'f', 'i' or 'u'
+  char kind = 'f';  ///< 'f', 'i', 'u' or, of booleans, 'b'
   std::size_t size = 8;
   std::endian order = std::endian::little;
   bool fortran = false;
@@ -31,6 +31,11 @@ struct NpyHeader {
 /// @param example_shape  a shape that is right, for messages: "(100, 3)"
 /// @throws FileError
 NpyHeader read_npy_header(InputFile& file, std::uint64_t file_size, std::string_view example_shape);
+
+/// The value at its place in memory of an array of integers or booleans; unsigned ones beyond 2^63 - 1 are that.
+std::int64_t integer_at(const char* from, const NpyHeader& header);
+/// The value of any array, as the nearest double.
+double number_at(const char* from, const NpyHeader& header);
 
 /// Reads exactly `count` bytes. @throws FileError  where the file ends before
 void read_exactly(InputFile& file, char* to, std::size_t count);

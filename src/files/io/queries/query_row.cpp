@@ -6,6 +6,7 @@
 #include <cstring>
 #include <string>
 
+#include "io/characters.hpp"
 #include "io/fail.hpp"
 #include "numbers/fraction.hpp"
 
@@ -146,12 +147,6 @@ bool read_usual_coordinate(const char*& text, double& coordinate) noexcept {
   const double numerator = magnitude == 0 ? 0.0 : static_cast<double>(magnitude) * (negative ? -1.0 : 1.0);
   coordinate = numerator * std::bit_cast<double>(static_cast<std::uint64_t>(1023 - exponent) << 52);
   return true;
-}
-
-std::string_view without_blanks(std::string_view text) {
-  const std::size_t first = text.find_first_not_of(" \t");
-  if (first == std::string_view::npos) return {};
-  return text.substr(first, text.find_last_not_of(" \t") - first + 1);
 }
 
 /// Why `field` cannot stand in this column, or an empty text.

@@ -1,4 +1,4 @@
-// Reads answers.csv as the claims of a solver.
+// Reads answers.csv, and tables like it, as the claims of a solver.
 // SPDX-License-Identifier: MIT
 #pragma once
 
@@ -12,6 +12,7 @@
 
 #include <touchstone/separation.hpp>
 
+#include "io/answers/claim_columns.hpp"
 #include "io/input_file.hpp"
 #include "io/queries/query_chunks.hpp"
 
@@ -20,7 +21,7 @@ namespace touchstone::io {
 /// One row of an answers file: the columns that make a claim.
 struct AnswerRow {
   std::optional<std::string_view> file;  ///< nothing when the file has no such column; valid until the next row
-  std::uint64_t query = 0;
+  std::optional<std::uint64_t> query;    ///< nothing when the file has no such column: one row for each in their order
   bool contact = false;
   std::optional<double> toi;  ///< finite; only with contact
   /// The field's text, if its number may lie beside its nearest double `toi`; else empty. Its exact value has at most
@@ -30,33 +31,46 @@ struct AnswerRow {
   std::uint64_t row = 0;                 ///< the line where it starts, counted from 1
 };
 
-/// Reads RFC 4180 CSV. The first line names the columns, in any order. `query` and `contact` are needed, and `file` and
-/// `toi` are optional, and so are `separation` and `metric`, which say what a row is about; a separation without a
-/// metric is Euclidean. The other columns of answers.csv are skipped. Any other name is an error. Rows are bounded by
-/// kLongestLine, lines may end in CRLF, and blank lines are skipped.
+/// Reads RFC 4180 CSV, with blanks around the fields. The first line names the columns, in any order, by the names that
+/// claim_columns.hpp lists. Only `contact` is needed. `separation` and `metric` say what a row is about; a separation
+/// without a metric is Euclidean. Other columns are not read. Without such a line, one column is `contact`, and three
+/// are `query`, `contact` and `toi`. The toi of a row without contact is not read. Rows are bounded by kLongestLine,
+/// lines may end in CRLF, and blank lines are skipped.
 class AnswerReader {
  public:
-  /// Reads the header. @throws FileError
-  explicit AnswerReader(InputFile file, std::size_t chunk_bytes = kChunkBytes);
+  /// Reads the header, if there is one.
+  /// @param columns  what each column is, in place of the header's names, as --columns says it; empty for these
+  /// @throws FileError
+  explicit AnswerReader(InputFile file, const ClaimColumns& columns = {}, std::size_t chunk_bytes = kChunkBytes);
 
   /// The next row into `row`. @returns false at the end of the file. @throws FileError naming the row at fault
   bool next(AnswerRow& row);
 
   const std::string& name() const noexcept { return file_.name(); }
 
+  /// Whether the rows claim times.
+  bool has_times() const noexcept { return has(ClaimColumn::toi); }
+  /// The names of columns that are not read and that answers.csv has not either.
+  const std::vector<std::string>& unread_columns() const noexcept { return unread_columns_; }
+
   /// The line where the last row started.
   std::uint64_t last_row() const noexcept { return last_row_; }
 
  private:
-  enum Column : std::size_t { kFile, kQuery, kContact, kToi, kSeparation, kMetric, kOther };
+  static constexpr std::size_t kAbsent = std::string::npos;
 
+  std::uint64_t number_of(std::string_view query) const;
   void read_toi(std::string_view field, AnswerRow& row) const;
   void read_separation(AnswerRow& row) const;
   bool next_record();
   bool find_record_end(std::size_t& end);
   void split_record(std::string_view record);
   void fill();
-  void read_header();
+  void read_header(const ClaimColumns& columns);
+  void take(const ClaimColumns& columns);
+  bool is_row_of_values() const;
+  bool has(ClaimColumn column) const noexcept { return index_[static_cast<std::size_t>(column)] != kAbsent; }
+  std::string_view field(ClaimColumn column) const { return fields_[index_[static_cast<std::size_t>(column)]]; }
   [[noreturn]] void refuse(std::string_view reason) const;
 
   InputFile file_;
@@ -70,8 +84,10 @@ class AnswerReader {
 
   std::vector<std::string> unquoted_;     ///< what quoted fields of the current record stand for
   std::vector<std::string_view> fields_;  ///< of the current record
+  bool has_row_ = false;                  ///< whether fields_ is a row that next() has not told yet
   std::size_t column_count_ = 0;
-  std::array<std::size_t, kOther> index_{};  ///< position of each column that is read; npos: not there
+  std::array<std::size_t, kClaimColumns> index_{};  ///< position of each column that is read; kAbsent: not there
+  std::vector<std::string> unread_columns_;
 };
 
 }  // namespace touchstone::io

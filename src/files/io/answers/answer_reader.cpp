@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "io/queries/answer_reader.hpp"
+#include "io/answers/answer_reader.hpp"
 
 #include <algorithm>
 #include <charconv>
@@ -7,8 +7,9 @@
 #include <cstring>
 #include <utility>
 
+#include "io/answers/answer_writer.hpp"
+#include "io/characters.hpp"
 #include "io/fail.hpp"
-#include "io/queries/answer_writer.hpp"
 #include "io/queries/separation_text.hpp"
 #include "io/times.hpp"
 #include "numbers/written_number.hpp"
@@ -16,12 +17,9 @@
 namespace touchstone::io {
 namespace {
 
-constexpr std::size_t kAbsent = std::string::npos;
-
-/// The columns of answers.csv; those that make a claim come first, in the order of AnswerReader::Column.
-constexpr std::array<std::string_view, 13> kColumnNames = {
-    "file",   "query",     "contact",   "toi",   "separation",    "metric", "toi_upper",
-    "nature", "feature_a", "feature_b", "level", "starts_within", "trend"};
+/// The other columns of answers.csv.
+constexpr std::array<std::string_view, 7> kDescriptions = {"toi_upper", "nature",        "feature_a", "feature_b",
+                                                           "level",     "starts_within", "trend"};
 
 std::string count(std::size_t number, std::string_view thing) {
   return std::to_string(number) + " " + std::string(thing) + (number == 1 ? "" : "s");
@@ -29,50 +27,57 @@ std::string count(std::size_t number, std::string_view thing) {
 
 }  // namespace
 
-AnswerReader::AnswerReader(InputFile file, std::size_t chunk_bytes)
+AnswerReader::AnswerReader(InputFile file, const ClaimColumns& columns, std::size_t chunk_bytes)
     : file_(std::move(file)), chunk_bytes_(std::max<std::size_t>(chunk_bytes, 1)) {
   constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
   while (!at_end_ && buffer_.size() < kByteOrderMark.size()) fill();
   if (buffer_.starts_with(kByteOrderMark)) at_ = kByteOrderMark.size();
-  read_header();
+  read_header(columns);
 }
 
 bool AnswerReader::next(AnswerRow& row) {
-  if (!next_record()) return false;
+  if (!std::exchange(has_row_, false) && !next_record()) return false;
   if (fields_.size() != column_count_) {
-    refuse(count(fields_.size(), "column") + "; the header has " + std::to_string(column_count_));
+    refuse(count(fields_.size(), "column") + " where the first line has " + std::to_string(column_count_));
   }
   row.row = record_row_;
   row.file = std::nullopt;
-  if (index_[kFile] != kAbsent) {
-    row.file = fields_[index_[kFile]];
+  if (has(ClaimColumn::file)) {
+    row.file = field(ClaimColumn::file);
     if (row.file->starts_with('\'') && begins_formula(*row.file)) row.file->remove_prefix(1);  // the one of csv_field
   }
+  row.query = std::nullopt;
+  if (has(ClaimColumn::query)) row.query = number_of(field(ClaimColumn::query));
 
-  const std::string_view query = fields_[index_[kQuery]];
-  const auto [end, error] = std::from_chars(query.data(), query.data() + query.size(), row.query);
-  if (error != std::errc{} || end != query.data() + query.size()) {
-    refuse("query is " + in_quotes(query) + "; it must be a number counted from 0");
-  }
-  const std::string_view contact = fields_[index_[kContact]];
-  if (contact != "0" && contact != "1") refuse("contact is " + in_quotes(contact) + "; it must be 0 or 1");
-  row.contact = contact == "1";
+  const std::string_view contact = field(ClaimColumn::contact);
+  const std::optional<bool> truth = parse_truth(contact);
+  if (!truth) refuse("contact is " + in_quotes(contact) + "; it must be 0 or 1, true or false, or yes or no");
+  row.contact = *truth;
 
   row.toi = std::nullopt;
   row.toi_as_written = {};
-  if (index_[kToi] != kAbsent && !fields_[index_[kToi]].empty()) read_toi(fields_[index_[kToi]], row);
+  if (row.contact && has(ClaimColumn::toi) && !field(ClaimColumn::toi).empty()) read_toi(field(ClaimColumn::toi), row);
   row.separation = std::nullopt;
-  if (index_[kSeparation] != kAbsent) read_separation(row);
+  if (has(ClaimColumn::separation)) read_separation(row);
   return true;
+}
+
+std::uint64_t AnswerReader::number_of(std::string_view query) const {
+  std::uint64_t number = 0;
+  const auto [end, error] = std::from_chars(query.data(), query.data() + query.size(), number);
+  if (error != std::errc{} || end != query.data() + query.size()) {
+    refuse("query is " + in_quotes(query) + "; it must be a number counted from 0");
+  }
+  return number;
 }
 
 void AnswerReader::read_toi(std::string_view field, AnswerRow& row) const {
   row.toi = parse_rounded_double(field);
   if (!row.toi) {
-    refuse("toi is " + in_quotes(field) + "; it must be a finite number such as 0x1.8p-2 or 0.375, or empty");
+    refuse("toi is " + in_quotes(field) +
+           "; of a contact it must be a finite number such as 0x1.8p-2 or 0.375, or empty");
   }
   if (std::isinf(*row.toi)) refuse("toi is " + in_quotes(field) + "; it " + std::string(fault_of_double(field)));
-  if (!row.contact) refuse("contact is 0 and toi is " + in_quotes(field) + "; without contact toi must be empty");
   if (is_plainly_a_double(field)) return;
   // Long texts are refused before they are parsed. A large exponent makes a number long, too.
   constexpr std::size_t kMost = numbers::kMostWrittenDigits;
@@ -86,39 +91,69 @@ void AnswerReader::read_toi(std::string_view field, AnswerRow& row) const {
 }
 
 void AnswerReader::read_separation(AnswerRow& row) const {
-  const std::string_view distance = fields_[index_[kSeparation]];
+  const std::string_view distance = field(ClaimColumn::separation);
   const auto value = parse_finite_double(distance);
   if (!value || *value < 0) {
     refuse("separation is " + in_quotes(distance) +
            "; it must be a finite number such as 0x1p-3 or 0.125, 0 or greater");
   }
   row.separation = Separation{*value, Metric::euclidean};
-  if (index_[kMetric] == kAbsent) return;
-  const std::string_view name = fields_[index_[kMetric]];
+  if (!has(ClaimColumn::metric)) return;
+  const std::string_view name = field(ClaimColumn::metric);
   const auto metric = from_name<Metric>(name);
   if (!metric) refuse("metric is " + in_quotes(name) + "; it must be euclidean or max");
   row.separation->metric = *metric;
 }
 
-void AnswerReader::read_header() {
-  if (!next_record()) fail(name(), "is empty; its first line must name the columns, for example query,contact,toi");
+void AnswerReader::read_header(const ClaimColumns& columns) {
+  if (!next_record()) fail(name(), "is empty; its first line may name the columns, for example query,contact,toi");
   column_count_ = fields_.size();
-  index_.fill(kAbsent);
-  std::array<bool, kColumnNames.size()> seen{};
-  for (std::size_t i = 0; i < fields_.size(); ++i) {
-    const auto known = std::find(kColumnNames.begin(), kColumnNames.end(), fields_[i]);
-    if (known == kColumnNames.end()) {
-      refuse("unknown column " + in_quotes(fields_[i]) + "; the columns are query, contact and optionally file, toi, " +
-             "toi_upper, nature, feature_a, feature_b, level, starts_within, trend, separation, metric");
+  if (!columns.empty()) {
+    if (columns.size() != fields_.size()) {
+      refuse(count(fields_.size(), "column") + " where --columns has " + std::to_string(columns.size()));
     }
-    const auto column = static_cast<std::size_t>(known - kColumnNames.begin());
-    if (std::exchange(seen[column], true)) refuse("column " + in_quotes(fields_[i]) + " is there twice");
-    if (column < kOther) index_[column] = i;
+    take(columns);
+    has_row_ = parse_truth(field(ClaimColumn::contact)).has_value();  // else the line names the columns
+    return;
   }
-  for (const Column needed : {kQuery, kContact}) {
-    if (index_[needed] == kAbsent) refuse("column " + in_quotes(kColumnNames[needed]) + " is missing");
+  if (is_row_of_values()) {
+    has_row_ = true;
+    if (column_count_ == 1) return take({ClaimColumn::contact});
+    if (column_count_ == 3) return take({ClaimColumn::query, ClaimColumn::contact, ClaimColumn::toi});
+    refuse("no names of columns; --columns says what they are, for example --columns contact,toi or query,contact");
   }
-  if (index_[kMetric] != kAbsent && index_[kSeparation] == kAbsent) refuse("column 'metric' needs column 'separation'");
+  ClaimColumns named;
+  for (const std::string_view text : fields_) {
+    const auto column = claim_column(text);
+    const bool is_known = std::find(kDescriptions.begin(), kDescriptions.end(), text) != kDescriptions.end();
+    if (!column && !is_known) unread_columns_.emplace_back(text);
+    if (column && std::count(named.begin(), named.end(), *column) != 0) {
+      refuse("two columns are a " + in_quotes(claim_column_name(*column)) + "; --columns says which one is read");
+    }
+    named.push_back(column.value_or(ClaimColumn::unread));
+  }
+  take(named);
+  if (!has(ClaimColumn::contact)) {
+    refuse("no column is a 'contact'; known names are " + claim_column_names() +
+           "; --columns says what the columns of others are");
+  }
+  if (has(ClaimColumn::metric) && !has(ClaimColumn::separation)) {
+    refuse("column 'metric' needs column 'separation'");
+  }
+}
+
+void AnswerReader::take(const ClaimColumns& columns) {
+  index_.fill(kAbsent);
+  for (std::size_t i = 0; i < columns.size(); ++i) {
+    if (columns[i] != ClaimColumn::unread) index_[static_cast<std::size_t>(columns[i])] = i;
+  }
+}
+
+/// Whether the first line is no header: each of its fields is a number, yes or no, or empty.
+bool AnswerReader::is_row_of_values() const {
+  return std::all_of(fields_.begin(), fields_.end(), [](std::string_view text) {
+    return text.empty() || parse_truth(text) || parse_rounded_double(text) || text == "inf" || text == "nan";
+  });
 }
 
 /// Splits the next record that is not blank into fields_. @returns false at the end of the file
@@ -170,7 +205,9 @@ void AnswerReader::split_record(std::string_view record) {
   unquoted_.clear();
   unquoted_.reserve(static_cast<std::size_t>(std::count(record.begin(), record.end(), '"')));  // keeps views valid
   for (std::size_t at = 0;; ++at) {
-    if (at < record.size() && record[at] == '"') {
+    const std::size_t begin = record.find_first_not_of(" \t", at);
+    if (begin != std::string_view::npos && record[begin] == '"') {
+      at = begin;
       std::string& text = unquoted_.emplace_back();
       for (++at;; ++at) {  // find_record_end has seen the closing quote
         const std::size_t quote = record.find('"', at);
@@ -180,10 +217,11 @@ void AnswerReader::split_record(std::string_view record) {
         text += '"';
       }
       fields_.push_back(text);
+      at = std::min(record.find_first_not_of(" \t", at), record.size());
       if (at < record.size() && record[at] != ',') refuse("text after a closing quote");
     } else {
       const std::size_t comma = std::min(record.find(',', at), record.size());
-      const std::string_view text = record.substr(at, comma - at);
+      const std::string_view text = without_blanks(record.substr(at, comma - at));
       if (text.find('"') != std::string_view::npos) refuse("a quote inside a field that does not start with one");
       fields_.push_back(text);
       at = comma;

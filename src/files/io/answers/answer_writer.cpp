@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "io/queries/answer_writer.hpp"
+#include "io/answers/answer_writer.hpp"
 
+#include "io/characters.hpp"
 #include "io/times.hpp"
 
 namespace touchstone::io {
@@ -13,7 +14,8 @@ bool begins_formula(std::string_view text) noexcept {
 
 std::string csv_field(std::string_view text) {
   const std::string start = begins_formula(text) ? "'" : "";
-  if (text.find_first_of(",\"\r\n") == std::string_view::npos) return start + std::string(text);
+  const bool has_blanks = text != without_blanks(text);  // which readers may take away
+  if (!has_blanks && text.find_first_of(",\"\r\n") == std::string_view::npos) return start + std::string(text);
   std::string field = "\"" + start;
   for (const char c : text) {
     if (c == '"') field += '"';

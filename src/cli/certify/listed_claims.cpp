@@ -1,0 +1,260 @@
+// SPDX-License-Identifier: MIT
+#include "cli/certify/listed_claims.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include <touchstone/error.hpp>
+
+#include "cli/shared/progress/interrupt.hpp"
+#include "io/answers/npz.hpp"
+#include "io/characters.hpp"
+#include "io/fail.hpp"
+#include "io/times.hpp"
+#include "io/whole_file.hpp"
+#include "json/json_node.hpp"
+
+namespace touchstone::cli {
+namespace {
+
+using io::ClaimColumn;
+using json::JsonNode;
+
+constexpr const char* kTimeIsRight = "; of a contact it must be finite, or missing";
+
+// ---- JSON
+
+/// JSON has no words for NaN and infinity, but Python's json.dumps writes them. They become null.
+std::string with_null_for_nan(std::string_view text) {
+  std::string out;
+  out.reserve(text.size());
+  bool in_string = false;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (text[i] == '"') in_string = !in_string;
+    if (in_string && text[i] == '\\' && i + 1 < text.size()) out += text[i++];
+    std::size_t length = 0;
+    for (const std::string_view word : {"-Infinity", "Infinity", "NaN"}) {
+      if (!in_string && length == 0 && text.substr(i).starts_with(word)) length = word.size();
+    }
+    if (length == 0) {
+      out += text[i];
+    } else {
+      out += "null";
+      i += length - 1;
+    }
+  }
+  return out;
+}
+
+bool contact_of(const JsonNode& node) { return node.is_number() ? node.whole_number(0, 1) == 1 : node.boolean(); }
+
+std::optional<double> time_of(const JsonNode& node) {
+  if (node.is_null()) return std::nullopt;
+  if (!node.is_text()) return node.number();
+  const std::string text = node.text();
+  const std::optional<double> time = io::parse_finite_double(text);
+  if (!time) node.fail("is " + io::in_quotes(text) + kTimeIsRight);
+  return time;
+}
+
+/// Reads the claims of one document, item by item.
+class JsonClaims {
+ public:
+  void add(const JsonNode& node) {
+    if (!node.is_object()) {
+      all_.claims.push_back({{}, contact_of(node), {}});
+      return;
+    }
+    std::array<std::optional<JsonNode>, io::kClaimColumns> found;
+    for (const std::string& key : node.keys()) {
+      const auto column = io::claim_column(key);
+      if (!column) {
+        if (std::find(all_.unread.begin(), all_.unread.end(), key) == all_.unread.end()) all_.unread.push_back(key);
+        continue;
+      }
+      auto& node_of_column = found[static_cast<std::size_t>(*column)];
+      if (node_of_column) node.fail("has two keys that are a " + io::in_quotes(io::claim_column_name(*column)));
+      node_of_column = node.at(key);
+    }
+    const auto at = [&](ClaimColumn column) -> const std::optional<JsonNode>& {
+      return found[static_cast<std::size_t>(column)];
+    };
+    for (const ClaimColumn column : {ClaimColumn::file, ClaimColumn::separation, ClaimColumn::metric}) {
+      if (at(column)) node.fail("has the key " + io::in_quotes(io::claim_column_name(column)) + "; CSV may have it");
+    }
+    if (!at(ClaimColumn::contact)) node.fail("has no key 'contact'; known are " + io::claim_column_names());
+    ListedClaim claim;
+    claim.contact = contact_of(*at(ClaimColumn::contact));
+    if (at(ClaimColumn::query)) claim.query = at(ClaimColumn::query)->whole_number(0, std::uint64_t{1} << 53);
+    all_.have_times = all_.have_times || at(ClaimColumn::toi).has_value();
+    if (claim.contact && at(ClaimColumn::toi)) claim.toi = time_of(*at(ClaimColumn::toi));
+    all_.claims.push_back(claim);
+  }
+
+  ListedClaims all() && { return std::move(all_); }
+
+ private:
+  ListedClaims all_;
+};
+
+ListedClaims claims_of_json(std::string_view content) {
+  const json::JsonDocument document = json::parse_json(with_null_for_nan(content));
+  JsonClaims claims;
+  for (const JsonNode& node : JsonNode(document.value(), "the list").items()) claims.add(node);
+  return std::move(claims).all();
+}
+
+ListedClaims claims_of_json_lines(std::string_view content) {
+  JsonClaims claims;
+  std::size_t number = 0;
+  for (std::size_t at = 0; at < content.size();) {
+    const std::size_t end = std::min(content.find('\n', at), content.size());
+    const std::string_view line = io::without_blanks(content.substr(at, end - at));
+    at = end + 1;
+    ++number;
+    if (line.empty() || line == "\r") continue;
+    const std::string name = "line " + std::to_string(number);
+    try {
+      const json::JsonDocument document = json::parse_json(with_null_for_nan(line));
+      claims.add(JsonNode(document.value(), "the object"));
+    } catch (const Error& error) {
+      throw Error(name + ": " + error.what());
+    }
+  }
+  return std::move(claims).all();
+}
+
+// ---- NumPy
+
+/// An array of one or two dimensions, whose values are asked for by row and column.
+class Array {
+ public:
+  Array(const std::string& name, std::string_view content) : content_(content) {
+    io::InputFile memory = io::InputFile::from_memory(name, content);
+    header_ = io::read_npy_header(memory, content.size(), "(100,)");
+    if (header_.extents.empty() || header_.extents.size() > 2) {
+      io::fail(name, "an array of shape " + io::shape_text(header_.extents) +
+                         "; claims have one row each: (queries,) or (queries, columns)");
+    }
+  }
+
+  std::uint64_t rows() const { return header_.extents[0]; }
+  std::uint64_t columns() const { return header_.extents.size() == 1 ? 1 : header_.extents[1]; }
+
+  double at(std::uint64_t row, std::uint64_t column) const {
+    const std::uint64_t i = header_.fortran ? row + column * rows() : row * columns() + column;
+    return io::number_at(content_.data() + header_.header_size + i * header_.size, header_);
+  }
+
+ private:
+  std::string_view content_;
+  io::NpyHeader header_;
+};
+
+/// The arrays of the columns, row by row.
+ListedClaims claims_of_columns(const std::string& name, const std::array<const Array*, io::kClaimColumns>& arrays,
+                               const std::array<std::uint64_t, io::kClaimColumns>& columns) {
+  const auto index = [](ClaimColumn column) { return static_cast<std::size_t>(column); };
+  const auto value = [&](ClaimColumn column, std::uint64_t row) {
+    return arrays[index(column)]->at(row, columns[index(column)]);
+  };
+  ListedClaims all;
+  all.have_times = arrays[index(ClaimColumn::toi)] != nullptr;
+  const std::uint64_t rows = arrays[index(ClaimColumn::contact)]->rows();
+  all.claims.reserve(rows);
+  for (std::uint64_t row = 0; row < rows; ++row) {
+    const auto fail = [&](const char* what, double is, const char* right) {
+      io::fail(name, fmt::format("{} of row {} is {}{}", what, row, is, right));
+    };
+    ListedClaim claim;
+    const double contact = value(ClaimColumn::contact, row);
+    if (contact != 0 && contact != 1) fail("contact", contact, "; it must be 0 or 1, or False or True");
+    claim.contact = contact == 1;
+    if (arrays[index(ClaimColumn::query)] != nullptr) {
+      const double query = value(ClaimColumn::query, row);
+      if (!(query >= 0 && query <= 0x1p53 && query == std::floor(query))) {
+        fail("query", query, "; it must be a number counted from 0");
+      }
+      claim.query = static_cast<std::uint64_t>(query);
+    }
+    if (claim.contact && all.have_times) {
+      claim.toi = value(ClaimColumn::toi, row);
+      if (!std::isfinite(*claim.toi)) fail("toi", *claim.toi, "; of a contact it must be finite");
+    }
+    all.claims.push_back(claim);
+  }
+  return all;
+}
+
+ListedClaims claims_of_npy(const std::string& path, std::string_view content, io::ClaimColumns names) {
+  const Array array(path, content);
+  if (names.empty() && array.columns() == 1) names = {ClaimColumn::contact};
+  if (names.empty() && array.columns() == 3) names = {ClaimColumn::query, ClaimColumn::contact, ClaimColumn::toi};
+  if (names.size() != array.columns()) {
+    io::fail(path, fmt::format("has {} columns; --columns says what they are, for example --columns contact,toi",
+                               array.columns()));
+  }
+  std::array<const Array*, io::kClaimColumns> arrays{};
+  std::array<std::uint64_t, io::kClaimColumns> columns{};
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    if (names[i] == ClaimColumn::unread) continue;
+    arrays[static_cast<std::size_t>(names[i])] = &array;
+    columns[static_cast<std::size_t>(names[i])] = i;
+  }
+  return claims_of_columns(path, arrays, columns);
+}
+
+ListedClaims claims_of_npz(const std::string& path, std::string_view content) {
+  std::vector<Array> read;
+  std::vector<ClaimColumn> of;
+  std::vector<std::string> unread;
+  for (const io::NpzArray& one : io::npz_arrays(path, content)) {
+    const auto column = io::claim_column(one.name);
+    if (!column) {
+      unread.push_back(one.name);
+      continue;
+    }
+    if (std::count(of.begin(), of.end(), *column) != 0) {
+      io::fail(path, "has two arrays that are a " + io::in_quotes(io::claim_column_name(*column)));
+    }
+    read.emplace_back(path + ": " + one.name, one.content);
+    of.push_back(*column);
+    if (read.back().columns() != 1)
+      io::fail(path, "the array " + io::in_quotes(one.name) + " has more than one column");
+    if (read.back().rows() != read.front().rows()) {
+      io::fail(path, fmt::format("the array {} has {} rows, and {} has {}", io::in_quotes(one.name), read.back().rows(),
+                                 io::in_quotes(io::claim_column_name(of.front())), read.front().rows()));
+    }
+  }
+  std::array<const Array*, io::kClaimColumns> arrays{};
+  for (std::size_t i = 0; i < of.size(); ++i) arrays[static_cast<std::size_t>(of[i])] = &read[i];
+  if (arrays[static_cast<std::size_t>(ClaimColumn::contact)] == nullptr) {
+    io::fail(path, "has no array 'contact'; known names are " + io::claim_column_names());
+  }
+  ListedClaims all = claims_of_columns(path, arrays, {});
+  all.unread = std::move(unread);
+  return all;
+}
+
+}  // namespace
+
+bool is_list_of_claims(std::string_view path) {
+  return path.ends_with(".json") || path.ends_with(".jsonl") || path.ends_with(".npy") || path.ends_with(".npz");
+}
+
+ListedClaims read_listed_claims(const std::string& path, const io::ClaimColumns& columns) {
+  const auto content = io::WholeFile::read(path, io::kJsonLimits, throw_if_interrupted);
+  if (path.ends_with(".npy")) return claims_of_npy(path, content.bytes(), columns);
+  if (!columns.empty()) io::fail(path, "names its columns itself; --columns is for CSV and .npy");
+  if (path.ends_with(".npz")) return claims_of_npz(path, content.bytes());
+  try {
+    return path.ends_with(".json") ? claims_of_json(content.bytes()) : claims_of_json_lines(content.bytes());
+  } catch (const Error& error) {
+    io::fail(path, error.what());
+  }
+}
+
+}  // namespace touchstone::cli

@@ -1,0 +1,39 @@
+// Claims in files that are read whole: JSON, lines of JSON, and NumPy's arrays.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "io/answers/claim_columns.hpp"
+
+namespace touchstone::cli {
+
+struct ListedClaim {
+  std::optional<std::uint64_t> query;  ///< nothing where the file does not count the queries
+  bool contact = false;
+  std::optional<double> toi;  ///< finite; only with contact
+};
+
+struct ListedClaims {
+  std::vector<ListedClaim> claims;
+  bool have_times = false;
+  std::vector<std::string> unread;  ///< the names of what is not read
+};
+
+/// Whether a file of this name is read whole: .json, .jsonl, .npy or .npz.
+bool is_list_of_claims(std::string_view path);
+
+/// Reads
+/// - JSON: a list of true and false (or 1 and 0), or of objects with the keys of claim_columns.hpp;
+/// - lines of JSON (.jsonl): one such object each;
+/// - .npy: an array of contacts, or rows of (query, contact, toi) or of what `columns` says;
+/// - .npz: arrays that are named as columns, as numpy.savez(FILE, contact=..., toi=...) writes them.
+/// The toi of a claim without contact may be anything, NaN and infinity too.
+/// @throws FileError
+ListedClaims read_listed_claims(const std::string& path, const io::ClaimColumns& columns);
+
+}  // namespace touchstone::cli

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: MIT
+#include "io/answers/claim_columns.hpp"
+
+#include <algorithm>
+
+#include <touchstone/error.hpp>
+
+#include "io/characters.hpp"
+#include "io/fail.hpp"
+
+namespace touchstone::io {
+namespace {
+
+/// The names of each column, the one of answers.csv first; then empty ones.
+constexpr std::array<std::array<std::string_view, 9>, kClaimColumns> kColumnNames = {{
+    {"file", "filename"},
+    {"query", "id", "index", "query_id", "query_index"},
+    {"contact", "hit", "collision", "collides", "collided", "colliding", "is_colliding", "result", "truth"},
+    {"toi", "time", "t", "time_of_impact", "toc", "time_of_contact"},
+    {"separation", "min_distance", "min_separation"},
+    {"metric"},
+}};
+
+std::string in_lower_case(std::string_view text) {
+  std::string lower(text);
+  for (char& c : lower) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  return lower;
+}
+
+}  // namespace
+
+std::optional<ClaimColumn> claim_column(std::string_view name) {
+  std::string lower = in_lower_case(without_blanks(name));
+  std::replace(lower.begin(), lower.end(), ' ', '_');
+  std::replace(lower.begin(), lower.end(), '-', '_');
+  for (std::size_t i = 0; i < kColumnNames.size() && !lower.empty(); ++i) {
+    if (std::find(kColumnNames[i].begin(), kColumnNames[i].end(), lower) != kColumnNames[i].end())
+      return static_cast<ClaimColumn>(i);
+  }
+  return std::nullopt;
+}
+
+std::string_view claim_column_name(ClaimColumn column) { return kColumnNames[static_cast<std::size_t>(column)][0]; }
+
+std::string claim_column_names() {
+  std::string text;
+  for (const auto& names : kColumnNames) {
+    text += (text.empty() ? "" : ", ") + std::string(names[0]);
+    for (std::size_t i = 1; i < names.size() && !names[i].empty(); ++i) {
+      text += (i == 1 ? " (or " : ", ") + std::string(names[i]);
+    }
+    if (!names[1].empty()) text += ")";
+  }
+  return text;
+}
+
+ClaimColumns parse_claim_columns(std::string_view text) {
+  ClaimColumns columns;
+  for (std::size_t at = 0; at <= text.size();) {
+    const std::size_t end = std::min(text.find(',', at), text.size());
+    const std::string_view name = without_blanks(text.substr(at, end - at));
+    const auto column = name == "-" ? ClaimColumn::unread : claim_column(name);
+    if (!column) throw Error("unknown column " + in_quotes(name) + "; known are " + claim_column_names() + " and -");
+    if (column != ClaimColumn::unread && std::count(columns.begin(), columns.end(), *column) != 0) {
+      throw Error("the column " + in_quotes(name) + " says what one before it says");
+    }
+    columns.push_back(*column);
+    at = end + 1;
+  }
+  if (std::count(columns.begin(), columns.end(), ClaimColumn::contact) == 0) {
+    throw Error("no column says whether there is contact; its name is contact");
+  }
+  return columns;
+}
+
+std::optional<bool> parse_truth(std::string_view text) {
+  const std::string lower = in_lower_case(text);
+  for (const char* const yes : {"1", "true", "yes", "1.0"}) {
+    if (lower == yes) return true;
+  }
+  for (const char* const no : {"0", "false", "no", "0.0"}) {
+    if (lower == no) return false;
+  }
+  return std::nullopt;
+}
+
+}  // namespace touchstone::io
