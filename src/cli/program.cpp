@@ -4,10 +4,13 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cstdio>
 #include <exception>
 #include <new>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include <touchstone/error.hpp>
 #include <touchstone/version.hpp>
@@ -26,6 +29,7 @@
 #include "cli/report/report.hpp"
 #include "cli/scenes/scenes.hpp"
 #include "cli/shared/build_facts.hpp"
+#include "cli/shared/nearest_name.hpp"
 #include "cli/shared/progress/interrupt.hpp"
 #include "cli/shared/words.hpp"
 #include "cli/simulate/simulate.hpp"
@@ -51,14 +55,62 @@ int complain(const std::string& line) {
 /// The first line of the message of the parser of arguments. It repeats the arguments, which may be of any length.
 std::string first_line(const std::string& text) { return io::with_short_words(text.substr(0, text.find('\n'))); }
 
-/// "solve, certify and merge": the subcommands that --help shows.
-std::string subcommand_names(const CLI::App& program) {
-  const auto commands = program.get_subcommands([](const CLI::App* command) { return !command->get_group().empty(); });
+/// The subcommands that --help shows.
+std::vector<std::string> subcommand_names(const CLI::App& program) {
+  std::vector<std::string> names;
+  for (const CLI::App* command :
+       program.get_subcommands([](const CLI::App* app) { return !app->get_group().empty(); })) {
+    names.push_back(command->get_name());
+  }
+  return names;
+}
+
+/// "solve, certify and merge".
+std::string in_a_row(const std::vector<std::string>& names) {
   std::string text;
-  for (std::size_t i = 0; i < commands.size(); ++i) {
-    text += (i == 0 ? "" : i + 1 == commands.size() ? " and " : ", ") + commands[i]->get_name();
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    text += (i == 0 ? "" : i + 1 == names.size() ? " and " : ", ") + names[i];
   }
   return text;
+}
+
+int complain_about_subcommand(const CLI::App& program, const std::string& word) {
+  const std::vector<std::string> names = subcommand_names(program);
+  const std::string meant = did_you_mean(word, names);
+  return complain("touchstone: " + io::with_short_words(word) + " is no subcommand" +
+                  (meant.empty() ? "; they are " + in_a_row(names) : meant + " The others are in touchstone --help"));
+}
+
+/// An argument that the subcommand has no use for.
+int complain_about_argument(const CLI::App& program, const std::string& word) {
+  const auto given = program.get_subcommands();
+  const CLI::App& app = given.empty() ? program : *given.front();
+  const std::string command = given.empty() ? "touchstone" : "touchstone " + app.get_name();
+  std::vector<std::string> names;
+  for (const CLI::Option* option : app.get_options()) {
+    for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
+  }
+  const std::string option = word.substr(0, word.find('='));
+  const bool is_option = option.starts_with("-");
+  return complain("touchstone: " + io::with_short_words(option) +
+                  (is_option ? " is no option of " + command + did_you_mean(option, names)
+                             : " is one argument too many for " + command) +
+                  " (see " + command + " --help)");
+}
+
+int complain_about_usage(const CLI::App& program, const CLI::ParseError& error) {
+  const auto given = program.get_subcommands();
+  const std::string command = given.empty() ? "" : " " + given.front()->get_name();
+  return complain("touchstone: " + first_line(error.what()) + " (see touchstone" + command + " --help)");
+}
+
+/// "help mesh" asks for what "mesh --help" says, and "help" for what "--help" says.
+std::vector<std::string> arguments_of(int argc, const char* const* argv) {
+  std::vector<std::string> words(argv + std::min(argc, 1), argv + argc);
+  if (words.empty() || words.front() != "help") return words;
+  words.erase(words.begin());
+  words.emplace_back("--help");
+  return words;
 }
 
 int parse_and_run(int argc, const char* const* argv) {
@@ -73,6 +125,7 @@ int parse_and_run(int argc, const char* const* argv) {
       program.add_flag("--verbose", wants_more, "With --version: say how the program was built")->needs("--version");
   program.require_subcommand(1);
   program.footer(
+      "touchstone help COMMAND says what touchstone COMMAND --help says.\n\n"
       "Examples\n"
       "  touchstone certify                                the queries bundled with the program\n"
       "  touchstone certify data/*/edge-edge/*.csv         are the truth columns of these files true?\n"
@@ -93,6 +146,7 @@ int parse_and_run(int argc, const char* const* argv) {
       "  edge-edge    a0 a1 b0 b1      vertex-face  v f0 f1 f2      point-edge  p e0 e1      point-point  p q\n"
       "and seven integers a row: x_num,x_den,y_num,y_den,z_num,z_den,truth; all rows of a query, or none, have a "
       "truth.\n"
+      "Or decimals: x,y,z a row, or all numbers of a query in one row, and truth or not.\n"
       "--kind, or else the name of its folder, is the kind of its queries. Lines that start with # and blank lines "
       "are\n"
       "skipped. Rows are counted as lines from 1, queries from 0.\n"
@@ -123,7 +177,14 @@ int parse_and_run(int argc, const char* const* argv) {
   add_doctor(program, command);
   add_describe(program, command);
   try {
-    program.parse(argc, argv);
+    std::vector<std::string> words = arguments_of(argc, argv);
+    const bool asks_for_help = words.size() == 2 && words.back() == "--help";
+    const std::vector<std::string> names = subcommand_names(program);
+    if (asks_for_help && std::find(names.begin(), names.end(), words.front()) == names.end()) {
+      return complain_about_subcommand(program, words.front());
+    }
+    std::reverse(words.begin(), words.end());  // as CLI11 takes them
+    program.parse(std::move(words));
   } catch (const CLI::CallForHelp&) {
     print(program.help());
     return kAllHold;
@@ -134,12 +195,15 @@ int parse_and_run(int argc, const char* const* argv) {
   } catch (const CLI::RequiredError& error) {
     const auto unknown = program.remaining();
     if (program.get_subcommands().empty() && !unknown.empty()) {
-      return complain("touchstone: " + io::with_short_words(unknown.front()) + " is no subcommand; they are " +
-                      subcommand_names(program));
+      return unknown.front().starts_with("-") ? complain_about_argument(program, unknown.front())
+                                              : complain_about_subcommand(program, unknown.front());
     }
-    return complain("touchstone: " + first_line(error.what()) + " (see touchstone --help)");
+    return complain_about_usage(program, error);
+  } catch (const CLI::ExtrasError& error) {
+    const auto unknown = program.remaining(true);
+    return unknown.empty() ? complain_about_usage(program, error) : complain_about_argument(program, unknown.front());
   } catch (const CLI::ParseError& error) {
-    return complain("touchstone: " + first_line(error.what()) + " (see touchstone --help)");
+    return complain_about_usage(program, error);
   }
   return command();
 }

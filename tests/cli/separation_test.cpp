@@ -106,8 +106,8 @@ TEST_CASE("separation 0 adds columns to the answers and changes none") {
 TEST_CASE("a separation without meaning is refused in one line") {
   const TemporaryFolder folder;
   const std::string file = folder.write("point-point/a.csv", passing_points());
-  const std::string help = " (see touchstone --help)";
   for (const std::string command : {"solve", "certify"}) {
+    const std::string help = " (see touchstone " + command + " --help)";
     for (const auto& [text, reason] : std::vector<std::pair<std::string, std::string>>{
              {"-1", "-1 is negative; a separation is a distance, 0 or greater"},
              {"-0x1p-1074", "-0x1p-1074 is negative; a separation is a distance, 0 or greater"},

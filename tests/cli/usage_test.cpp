@@ -69,6 +69,25 @@ TEST_CASE("bad usage ends with status 2 and one line") {
   check_refused({"explain", "--query", "0", "--t-max", "nan", "a.csv"}, "--t-max");
 }
 
+TEST_CASE("a mistyped name is answered with the nearest one") {
+  check_refused({"solv"}, "solv is no subcommand; did you mean solve? The others are in touchstone --help");
+  check_refused({"sovle"}, "did you mean solve?");
+  check_refused({"certify", "--claim", "a.csv"},
+                "--claim is no option of touchstone certify; did you mean --claims? (see touchstone certify --help)");
+  check_refused({"certify", "--claim=a.csv"}, "--claim is no option of touchstone certify; did you mean --claims?");
+  check_refused({"certify", "--frobnicate"}, "--frobnicate is no option of touchstone certify (see ");
+  check_refused({"--versoin"}, "--versoin is no option of touchstone; did you mean --version?");
+  check_refused({"doctor", "now"}, "now is one argument too many for touchstone doctor (see touchstone doctor --help)");
+  check_refused({"simulate", "hop"}, "nut-and-bolt; did you mean hoop?");
+  check_refused({"help", "sovle"}, "sovle is no subcommand; did you mean solve?");
+}
+
+TEST_CASE("help and a command's name print the command's help") {
+  CHECK(run_program({"help", "mesh"}).out == run_program({"mesh", "--help"}).out);
+  CHECK(run_program({"help"}).out == run_program({"--help"}).out);
+  CHECK(run_program({"help"}).status == 0);
+}
+
 TEST_CASE("numbers beyond the doubles are called what they are, and long ones are not repeated whole") {
   const std::string digits(100'000, '1');
   check_refused({"explain", "--query", "0", "--t-max", "1e-400", "a.csv"},

@@ -7,6 +7,7 @@
 
 #include <touchstone/error.hpp>
 
+#include "cli/shared/nearest_name.hpp"
 #include "cli/shared/whole_file.hpp"
 #include "io/fail.hpp"
 #include "scene/scene_file.hpp"
@@ -30,9 +31,13 @@ sim::Scene scene_of(const SimulateOptions& options) {
   const bool looks_like_a_name = options.scene.find_first_of("./") == std::string::npos;
   if (looks_like_a_name && !std::filesystem::exists(options.scene)) {
     std::string names;
-    for (const auto& shipped : sim::shipped_scenes()) names.append(names.empty() ? "" : ", ").append(shipped.name);
-    throw Error(fmt::format("{} is no file, and no scene that comes with the program: these are {}",
-                            io::in_quotes(options.scene), names));
+    std::vector<std::string> all;
+    for (const auto& shipped : sim::shipped_scenes()) {
+      names.append(names.empty() ? "" : ", ").append(shipped.name);
+      all.emplace_back(shipped.name);
+    }
+    throw Error(fmt::format("{} is no file, and no scene that comes with the program: these are {}{}",
+                            io::in_quotes(options.scene), names, did_you_mean(options.scene, all)));
   }
   return from_file(options.scene, sim::scene_from_json);
 }
