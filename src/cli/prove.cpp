@@ -27,6 +27,7 @@ struct ProveItem : QueryItem {
 
 void prove_queries(ProveItem& item, const std::vector<Input>& inputs, const ProveOptions& options) {
   if (item.chunk.file == nullptr) return;  // reading failed
+  refuse_decimals(item.chunk);
   const Separation& separation = options.separation.separation;
   io::QueryParser parser(item.chunk);
   io::QueryRecord record;

@@ -47,7 +47,7 @@ void solve_queries(SolveItem& item, const std::vector<Input>& inputs, const Solv
 }  // namespace
 
 int run_solve(const SolveCommandOptions& options) {
-  const std::vector<Input> inputs = find_inputs(options.files, options.kind);
+  const std::vector<Input> inputs = find_inputs(options.files, options.kind, options.decimals);
   refuse_to_overwrite(options.out, options.files);
   const bool to_standard_output = options.out == "-";
   io::OutputFile out = to_standard_output ? io::OutputFile::standard_output() : io::OutputFile(options.out);

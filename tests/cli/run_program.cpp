@@ -55,6 +55,10 @@ Run run_program(const std::vector<std::string>& arguments, const RunOptions& opt
       const rlimit limit{options.file_size, options.file_size};
       if (::setrlimit(RLIMIT_FSIZE, &limit) != 0) ::_exit(126);
     }
+    if (!options.standard_input.empty()) {
+      const int in_descriptor = ::open(options.standard_input.c_str(), O_RDONLY);
+      if (in_descriptor < 0 || ::dup2(in_descriptor, STDIN_FILENO) < 0) ::_exit(126);
+    }
     ::dup2(out_descriptor, STDOUT_FILENO);
     ::dup2(err_descriptor, STDERR_FILENO);
     ::execv(argv[0], argv.data());

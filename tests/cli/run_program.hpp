@@ -21,6 +21,7 @@ struct Run {
 struct RunOptions {
   std::string program = {};          ///< empty: touchstone
   std::string folder = {};           ///< working folder; empty: the test's own
+  std::string standard_input = {};   ///< a file; empty: the test's own
   std::string standard_output = {};  ///< a file or device to write to; empty: kept in Run::out
   bool closed_pipe = false;          ///< standard output is a pipe whose reader has gone
   std::string search_path = {};      ///< PATH; empty: the test's own

@@ -88,6 +88,41 @@ TEST_CASE("help and a command's name print the command's help") {
   CHECK(run_program({"help"}).status == 0);
 }
 
+TEST_CASE("a dash is standard input, for queries and for claims") {
+  const TemporaryFolder folder;
+  const SampleFile sample = sample_file(Kind::edge_edge, 12, 1);
+  const std::string file = folder.write("edge-edge/a.csv", sample.text);
+  RunOptions options;
+  options.standard_input = file;
+  const Run solved = run_program({"solve", "--kind", "edge-edge", "-"}, options);
+  CAPTURE(solved.err);
+  CHECK(solved.status == 0);
+  options.standard_input = folder.write("answers.csv", solved.out);
+  const Run judged = run_program({"certify", "--columns", "-,query,hit,toi,-,-,-,-,-", "--claims", "-", file}, options);
+  CAPTURE(judged.out, judged.err);
+  CHECK(judged.status == 0);
+  CHECK(occurrences(judged.out, std::to_string(sample.queries.size()) + " claims hold (claims of -, 1 file)") == 1);
+}
+
+TEST_CASE("queries of decimals are solved, and what a proof is about is fractions") {
+  const TemporaryFolder folder;
+  const std::string whole =
+      folder.write("edge-edge/whole.csv", "-1,0,0,1,0,0,0,-1,0.1,0,1,0.1,-1,0,0,1,0,0,0,-1,-0.2,0,1,-0.2,1\n");
+  const std::string contact = ",0,1,0x1.5555555555555p-2,0x1.5555555555556p-2,crossing,a,b,";
+  CHECK(occurrences(run_program({"solve", whole}).out, contact + "exact\n") == 1);
+  CHECK(occurrences(run_program({"solve", "--as-doubles", whole}).out, contact + "bracket\n") == 1);
+  CHECK(run_program({"certify", whole}).out.starts_with("all 1 claims hold"));
+  CHECK(occurrences(run_program({"explain", "--query", "0", whole}).out, "z  1/10   no double") == 2);
+  for (const std::vector<std::string>& command : std::vector<std::vector<std::string>>{
+           {"prove", "--out", folder.path("p.txt"), whole}, {"certify", "--proofs", folder.path("p.txt"), whole}}) {
+    check_refused(command,
+                  whole + ": has decimals; a proof is about fractions, which touchstone convert makes of them");
+  }
+  const std::string fractions = folder.path("edge-edge/fractions.csv");
+  REQUIRE(run_program({"convert", whole, fractions}).status == 0);
+  CHECK(run_program({"prove", "--out", folder.path("p.txt"), fractions}).status == 0);
+}
+
 TEST_CASE("numbers beyond the doubles are called what they are, and long ones are not repeated whole") {
   const std::string digits(100'000, '1');
   check_refused({"explain", "--query", "0", "--t-max", "1e-400", "a.csv"},

@@ -29,10 +29,10 @@ struct ReadFile {
 };
 
 inline ReadFile read_queries(std::string_view content, Kind kind, std::size_t chunk_bytes,
-                             io::Motions motions = io::Motions::straight) {
+                             io::Motions motions = io::Motions::straight, io::Decimals decimals = io::Decimals::exact) {
   ReadFile result;
   try {
-    io::QueryChunkReader reader(io::InputFile::from_memory("q.csv", content), kind, chunk_bytes, motions);
+    io::QueryChunkReader reader(io::InputFile::from_memory("q.csv", content), kind, chunk_bytes, motions, decimals);
     while (const auto chunk = reader.next()) {
       io::QueryParser parser(*chunk);
       io::QueryRecord record;

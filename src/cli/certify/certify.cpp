@@ -100,6 +100,7 @@ std::variant<RationalQuery, CurvedQuery> as_given(const io::QueryRecord& record)
 
 void judge_queries(CertifyItem& item, const CertifyOptions& options, const std::vector<Input>& inputs) {
   if (item.chunk.file == nullptr) return;  // reading failed
+  if (!options.proofs.empty()) refuse_decimals(item.chunk);
   const bool from_file = !options.claims.empty();
   io::QueryParser parser(item.chunk, options.turns);
   io::QueryRecord record;
@@ -204,8 +205,8 @@ int run_certify(const CertifyOptions& options) {
         "--proofs goes without --shorter-turn: touchstone-check reads the queries as the file has them. convert "
         "--shorter-turn --claims solve writes a file with the shorter turns");
   }
-  const std::vector<Input> inputs =
-      options.files.empty() ? bundled_inputs(io::Motions::any) : find_inputs(options.files, options.kind);
+  const std::vector<Input> inputs = options.files.empty() ? bundled_inputs(io::Motions::any)
+                                                          : find_inputs(options.files, options.kind, options.decimals);
   std::vector<std::string> read_files = options.files;
   if (!options.claims.empty()) read_files.push_back(options.claims);
   refuse_to_overwrite(options.report, read_files);

@@ -15,11 +15,11 @@ namespace touchstone::cli {
 ClaimStream::ClaimStream(const std::string& path, const io::ClaimColumns& columns, const std::vector<Input>& inputs,
                          const SeparationOption& separation, SeparationsOfFile separations_of_file,
                          std::size_t chunk_bytes)
-    : name_(path), inputs_(inputs), separation_(separation), separations_of_file_(separations_of_file) {
-  if (is_list_of_claims(path)) {
-    listed_ = read_listed_claims(path, columns);
+    : name_(without_dash(path)), inputs_(inputs), separation_(separation), separations_of_file_(separations_of_file) {
+  if (is_list_of_claims(name_)) {
+    listed_ = read_listed_claims(name_, columns);
   } else {
-    reader_.emplace(io::InputFile::open(path, throw_if_interrupted), columns, chunk_bytes);
+    reader_.emplace(io::InputFile::open(name_, throw_if_interrupted), columns, chunk_bytes);
   }
 }
 

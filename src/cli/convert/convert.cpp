@@ -95,7 +95,7 @@ void encode_queries(ConvertItem& item, const ConvertOptions& options, const io::
 }  // namespace
 
 int run_convert(const ConvertOptions& options) {
-  const std::vector<Input> inputs = find_inputs({options.from}, options.kind);
+  const std::vector<Input> inputs = find_inputs({options.from}, options.kind, options.decimals);
   refuse_to_overwrite(options.to, {options.from});
   if (options.turns == io::Turns::shorter && options.claims == Claims::keep) {
     throw Error("--shorter-turn goes with --claims solve: with another turn the claims of IN may be wrong");
@@ -150,6 +150,7 @@ void add_convert(CLI::App& program, Command& command) {
       ->type_name("")
       ->check(not_empty);
   add_kind_option(*subcommand, options->kind);
+  add_decimals_option(*subcommand, options->decimals);
   subcommand
       ->add_option_function<std::string>(
           "--to",

@@ -25,6 +25,7 @@ struct ConvertOptions {
   std::optional<Kind> kind;
   Claims claims = Claims::keep;
   bool unsigned_zeros = false;
+  io::Decimals decimals = io::Decimals::exact;
   io::Turns turns = io::Turns::as_given;  ///< of the bodies of curved queries
   std::string group;                      ///< of an HDF5 file that is read; empty: the benchmark's, or else the root
   int threads = 0;                        ///< 0: all that the machine has

@@ -27,7 +27,7 @@ struct ExplainOptions {
 };
 
 int run_explain(const ExplainOptions& options) {
-  const Input input = find_inputs({options.query.file}, options.query.kind).front();
+  const Input input = find_inputs({options.query.file}, options.query.kind, options.query.decimals).front();
   if (options.html == "-") throw Error("--html: name a file to write, standard output has the story");
   if (!options.html.empty()) refuse_to_overwrite(options.html, {options.query.file});
   const auto found = find_query(input, options.query);
@@ -57,7 +57,7 @@ struct ViewOptions {
 };
 
 int run_view(const ViewOptions& options) {
-  const Input input = find_inputs({options.query.file}, options.query.kind).front();
+  const Input input = find_inputs({options.query.file}, options.query.kind, options.query.decimals).front();
   refuse_to_overwrite(options.out, {options.query.file});
   const auto found = find_query(input, options.query);
   const Explanation explanation = explanation_of(found->record, options.query);

@@ -59,7 +59,7 @@ Explanation explained(const AQuery& query, const io::QueryRecord& record, const 
 
 std::unique_ptr<FoundQuery> find_query(const Input& input, const OneQuery& options) {
   const std::uint64_t number = options.query;
-  io::QueryChunkReader reader(input.open(), input.kind, io::kChunkBytes, io::Motions::any);
+  io::QueryChunkReader reader(input.open(), input.kind, io::kChunkBytes, io::Motions::any, input.decimals);
   std::uint64_t count = 0;
   auto found = std::make_unique<FoundQuery>();
   while (auto chunk = reader.next()) {
@@ -114,6 +114,7 @@ void add_one_query_options(CLI::App& subcommand, OneQuery& options) {
         return check_whole_number(text).empty() ? std::string() : text + " must be a number counted from 0";
       });
   add_kind_option(subcommand, options.kind);
+  add_decimals_option(subcommand, options.decimals);
   add_shorter_turn_option(subcommand, options.turns);
   subcommand
       .add_option_function<std::string>(

@@ -25,6 +25,7 @@ struct OneQuery {
   std::uint64_t query = 0;
   double t_max = 1;
   SeparationOption separation;
+  io::Decimals decimals = io::Decimals::exact;
   io::Turns turns = io::Turns::as_given;  ///< of the bodies of a curved query
 };
 

@@ -40,7 +40,14 @@ io::InputFile Input::open() const {
   return bundled ? io::InputFile::from_memory(name, content) : io::InputFile::open(name, throw_if_interrupted);
 }
 
-std::vector<Input> find_inputs(const std::vector<std::string>& names, std::optional<Kind> kind) {
+std::string without_dash(const std::string& name) { return name == "-" ? "/dev/stdin" : name; }
+
+void refuse_decimals(const io::QueryChunk& chunk) {
+  if (chunk.format == io::RowFormat::fractions) return;
+  io::fail(*chunk.file, "has decimals; a proof is about fractions, which touchstone convert makes of them");
+}
+
+std::vector<Input> find_inputs(const std::vector<std::string>& names, std::optional<Kind> kind, io::Decimals decimals) {
   std::vector<Input> inputs;
   for (const auto& name : names) {
     if (const BundledFile* const bundled = find_bundled(name)) {
@@ -48,9 +55,10 @@ std::vector<Input> find_inputs(const std::vector<std::string>& names, std::optio
       continue;
     }
     Input input;
-    input.name = name;
-    input.bytes = io::InputFile::check(name);
-    input.kind = io::kind_of_queries(name, kind);
+    input.name = without_dash(name);
+    input.bytes = io::InputFile::check(input.name);
+    input.kind = io::kind_of_queries(input.name, kind);
+    input.decimals = decimals;
     inputs.push_back(std::move(input));
   }
   return inputs;
@@ -79,7 +87,8 @@ QueryStream::QueryStream(const std::vector<Input>& inputs, std::size_t chunk_byt
 
 bool QueryStream::next(QueryItem& item) {
   for (; current_ < inputs_.size(); ++current_, reader_.reset()) {
-    if (!reader_) reader_.emplace(inputs_[current_].open(), inputs_[current_].kind, chunk_bytes_, motions_);
+    const Input& input = inputs_[current_];
+    if (!reader_) reader_.emplace(input.open(), input.kind, chunk_bytes_, motions_, input.decimals);
     if (auto chunk = reader_->next()) {
       item.input = current_;
       item.chunk = std::move(*chunk);

@@ -25,14 +25,24 @@ struct Input {
   std::optional<std::uint64_t> bytes;  ///< nothing for a pipe
   std::string_view content;            ///< of a bundled file
   bool bundled = false;
+  io::Decimals decimals = io::Decimals::exact;
 
   io::InputFile open() const;
 };
 
+/// The name of a file from the command line, where - stands for standard input.
+std::string without_dash(const std::string& name);
+
 /// The files of these names. Each is checked to exist; a name that is no file may be the name of a bundled file.
 /// @param kind  the kind of their queries; by default a file of doubles states it, and else a file's folder names it
+/// @param decimals  what decimals stand for that are no doubles
 /// @throws FileError
-std::vector<Input> find_inputs(const std::vector<std::string>& names, std::optional<Kind> kind);
+std::vector<Input> find_inputs(const std::vector<std::string>& names, std::optional<Kind> kind,
+                               io::Decimals decimals = io::Decimals::exact);
+
+/// A proof is about what touchstone-check reads, which is fractions.
+/// @throws FileError  for queries of decimals
+void refuse_decimals(const io::QueryChunk& chunk);
 
 /// Every bundled file, or those of straight motion. @throws FileError when the program was built without them
 std::vector<Input> bundled_inputs(io::Motions motions);

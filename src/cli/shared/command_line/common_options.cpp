@@ -70,8 +70,15 @@ std::string check_whole_number(const std::string& text, std::uint64_t least, std
   return fmt::format("{} must be a whole number from {} to {}", text, least, most);
 }
 
+void add_decimals_option(CLI::App& subcommand, io::Decimals& decimals) {
+  subcommand.add_flag_callback(
+      "--as-doubles", [&decimals] { decimals = io::Decimals::nearest_double; },
+      "A decimal in a query file that is no double stands for the nearest double, not for itself");
+}
+
 void add_query_options(CLI::App& subcommand, QueryOptions& options) {
   add_kind_option(subcommand, options.kind);
+  add_decimals_option(subcommand, options.decimals);
   subcommand
       .add_option_function<std::string>(
           "--level",

@@ -24,12 +24,14 @@ struct QueryOptions {
   std::optional<Kind> kind;
   Method method = Method::fast;
   SeparationOption separation;
+  io::Decimals decimals = io::Decimals::exact;
   io::Turns turns = io::Turns::as_given;      ///< of the bodies of curved queries
   int threads = 0;                            ///< 0: all that the machine has
   std::size_t chunk_bytes = io::kChunkBytes;  ///< for tests: no result depends on it
 };
 
 void add_kind_option(CLI::App& subcommand, std::optional<Kind>& kind);
+void add_decimals_option(CLI::App& subcommand, io::Decimals& decimals);
 void add_query_options(CLI::App& subcommand, QueryOptions& options);
 void add_seed_option(CLI::App& subcommand, std::uint64_t& seed);
 

@@ -11,12 +11,14 @@
 
 namespace touchstone::io {
 
-QueryChunkReader::QueryChunkReader(InputFile file, Kind kind, std::size_t chunk_bytes, Motions motions)
+QueryChunkReader::QueryChunkReader(InputFile file, Kind kind, std::size_t chunk_bytes, Motions motions,
+                                   Decimals decimals)
     : file_(std::move(file)),
       name_(std::make_shared<const std::string>(file_.name())),
       kind_(kind),
       chunk_bytes_(std::max<std::size_t>(chunk_bytes, 1)),
-      motions_(motions) {}
+      motions_(motions),
+      decimals_(decimals) {}
 
 std::optional<QueryChunk> QueryChunkReader::next() {
   if (!started_) start();
@@ -112,7 +114,10 @@ void QueryChunkReader::complete_query() {
 /// Finds out what the file's first row, which is the next line, says of the others. @returns false after an error
 bool QueryChunkReader::scan_first_row(std::string_view row) {
   first_row_found_ = true;
-  if (!announces_curved_queries(row)) return true;
+  if (!announces_curved_queries(row)) {
+    format_ = format_of_row(row, kind_).value_or(RowFormat::fractions);  // of another one the parser tells
+    return true;
+  }
   header_row_ = first_row_ + lines_;
   std::string fault = fault_of_curved_header(row);
   if (fault.empty() && motions_ == Motions::straight) {
@@ -145,7 +150,10 @@ bool QueryChunkReader::scan_line(std::size_t end) {
   if (too_long(end)) return false;
   const std::string_view line(buffer_.data() + line_, end - line_);
   bool row = is_row(line);
-  if (row && !first_row_found_) {
+  if (row && !first_row_found_ && names_row_ == 0 && names_columns(line) && !announces_curved_queries(line)) {
+    names_row_ = first_row_ + lines_;
+    row = false;
+  } else if (row && !first_row_found_) {
     if (!scan_first_row(line)) return false;
     row = header_row_ == 0;
   } else if (row && header_row_ != 0) {
@@ -162,7 +170,7 @@ bool QueryChunkReader::scan_line(std::size_t end) {
   }
   line_ = searched_ = std::min(end + 1, buffer_.size());
   ++lines_;
-  if (row && ++rows_ == rows_per_query(kind_) && header_row_ == 0) {
+  if (row && ++rows_ == rows_per_query(kind_, format_) && header_row_ == 0) {
     rows_ = 0;
     ++queries_;
   }
@@ -182,6 +190,9 @@ QueryChunk QueryChunkReader::take(std::size_t size, std::size_t lines, std::size
   chunk.first_row = first_row_;
   chunk.query_count = queries;
   chunk.header_row = header_row_;
+  chunk.names_row = names_row_;
+  chunk.format = format_;
+  chunk.decimals = decimals_;
 
   std::string rest;
   rest.reserve(buffer_.size() - size + chunk_bytes_ + QueryChunk::kPadding);

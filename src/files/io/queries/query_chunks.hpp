@@ -12,6 +12,7 @@
 #include <touchstone/query.hpp>
 
 #include "io/input_file.hpp"
+#include "io/queries/decimal_rows.hpp"
 #include "io/queries/query_array.hpp"
 
 namespace touchstone::io {
@@ -43,6 +44,9 @@ struct QueryChunk {
   std::size_t query_count = 0;
   bool truncated = false;        ///< the file ends in the middle of a query, whose rows follow the whole ones
   std::uint64_t header_row = 0;  ///< in a file of curved queries the line of its first row, which is no query's; else 0
+  std::uint64_t names_row = 0;   ///< the line that names the columns, which is no query's; else 0
+  RowFormat format = RowFormat::fractions;
+  Decimals decimals = Decimals::exact;
 
   std::shared_ptr<const QueryArray> array;  ///< of a file of doubles; then there is no text
   std::uint64_t array_start = 0;            ///< the number of the array's first query
@@ -66,7 +70,7 @@ class QueryChunkReader {
   /// @param chunk_bytes  the bytes of one read; any value gives the same queries and the same errors
   /// @param motions  with Motions::straight a file of curved queries is refused
   QueryChunkReader(InputFile file, Kind kind, std::size_t chunk_bytes = kChunkBytes,
-                   Motions motions = Motions::straight);
+                   Motions motions = Motions::straight, Decimals decimals = Decimals::exact);
 
   /// The next queries, or nothing at the end of the file.
   /// @throws FileError  for a file without a query, a line that is too long, the header of a file of doubles, or what
@@ -90,8 +94,10 @@ class QueryChunkReader {
   Kind kind_;
   std::size_t chunk_bytes_;
   Motions motions_;
+  Decimals decimals_;
   bool first_row_found_ = false;
-  std::uint64_t header_row_ = 0;  ///< as in the chunks
+  std::uint64_t header_row_ = 0, names_row_ = 0;  ///< as in the chunks
+  RowFormat format_ = RowFormat::fractions;
   bool at_end_ = false;
   bool started_ = false;
   std::shared_ptr<const QueryArray> array_;

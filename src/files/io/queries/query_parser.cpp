@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "io/queries/query_parser.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstring>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "io/fail.hpp"
 #include "io/queries/query_row.hpp"
@@ -60,8 +62,9 @@ QueryParser::QueryParser(const QueryChunk& chunk, Turns turns)
 bool QueryParser::next(QueryRecord& record) {
   if (chunk_.array != nullptr) return next_of_array(record);
   if (chunk_.curved()) return next_curved(record);
-  skip_to_row();
+  skip_names();
   if (at_ == end_) return false;
+  if (chunk_.format != RowFormat::fractions) return next_of_decimals(record);
   const char* const start = at_;
   record.first_row = row_;
   record.number = query_++;
@@ -85,6 +88,8 @@ bool QueryParser::next(QueryRecord& record) {
       const std::string_view line = line_at(at_);
       std::string reason;
       const auto fields = read_row(line, reason);
+      const bool is_first_row = record.number == 0 && row == 0 && line.find('\0') == std::string_view::npos;
+      if (!fields && is_first_row && !format_of_row(line, chunk_.kind)) reason = fault_of_columns(line, chunk_.kind);
       if (!fields) fail(*chunk_.file, row_, reason);
       check_truth(record, row, fields->truth);
       const auto x = double_of(fields->corner[0]);
@@ -101,6 +106,58 @@ bool QueryParser::next(QueryRecord& record) {
   }
   record.text = {start, static_cast<std::size_t>(at_ - start)};
   if (!all_doubles) record.query = query_as_given(chunk_.kind, record.text);
+  return true;
+}
+
+/// Skips to the next row that is no line of names.
+void QueryParser::skip_names() noexcept {
+  skip_to_row();
+  if (at_ == end_ || row_ != chunk_.names_row) return;
+  skip_line(line_at(at_));
+  skip_to_row();
+}
+
+bool QueryParser::next_of_decimals(QueryRecord& record) {
+  record.first_row = row_;
+  record.number = query_++;
+  record.text = {};
+  std::vector<Fraction> numbers;
+  const std::size_t rows = rows_per_query(chunk_.kind, chunk_.format);
+  for (std::size_t row = 0; row < rows; ++row) {
+    if (row > 0) skip_to_row();
+    if (at_ == end_) refuse_truncated(row);
+    const std::string_view line = line_at(at_);
+    std::optional<bool> truth;
+    const std::string fault = read_decimals(line, chunk_.kind, chunk_.format, chunk_.decimals, numbers, truth);
+    if (!fault.empty()) fail(*chunk_.file, row_, fault);
+    check_truth(record, row, truth);
+    record.last_row = row_;
+    skip_line(line);
+  }
+  RationalQuery rational;
+  rational.kind = chunk_.kind;
+  Query query;
+  query.kind = chunk_.kind;
+  bool all_doubles = true;
+  const std::size_t corners = corner_count(chunk_.kind);
+  for (std::size_t i = 0; i < 2 * corners; ++i) {
+    std::array<double, 3> x{};
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const auto value = double_of(numbers[3 * i + axis]);
+      all_doubles = all_doubles && value.has_value();
+      x[axis] = value.value_or(0);
+    }
+    const std::size_t corner = i % corners;
+    (i < corners ? query.start : query.end)[corner] = {x[0], x[1], x[2]};
+    auto& written = (i < corners ? rational.start : rational.end)[corner];
+    std::move(numbers.begin() + static_cast<std::ptrdiff_t>(3 * i),
+              numbers.begin() + static_cast<std::ptrdiff_t>(3 * i + 3), written.begin());
+  }
+  if (all_doubles) {
+    record.query = query;
+  } else {
+    record.query = std::move(rational);
+  }
   return true;
 }
 
@@ -183,15 +240,15 @@ void QueryParser::check_truth(QueryRecord& record, std::size_t row, std::optiona
   fail(*chunk_.file, row_,
        std::string("truth is ") + text(truth) + " here and " + text(record.truth) + " in row " +
            std::to_string(record.first_row) + ", where the same query " + std::to_string(record.number) +
-           " starts; all " + std::to_string(rows_per_query(chunk_.kind)) + " rows of " + an(name_of(chunk_.kind)) +
-           " query must agree");
+           " starts; all " + std::to_string(rows_per_query(chunk_.kind, chunk_.format)) + " rows of " +
+           an(name_of(chunk_.kind)) + " query must agree");
 }
 
 void QueryParser::refuse_truncated(std::size_t rows) const {
   fail(*chunk_.file, row_ - 1,
        "the file ends within query " + std::to_string(query_ - 1) + ", which has " + std::to_string(rows) +
            (rows == 1 ? " row" : " rows") + "; " + an(name_of(chunk_.kind)) + " query has " +
-           std::to_string(rows_per_query(chunk_.kind)));
+           std::to_string(rows_per_query(chunk_.kind, chunk_.format)));
 }
 
 RationalQuery query_as_given(Kind kind, std::string_view text) {

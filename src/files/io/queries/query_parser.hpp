@@ -25,7 +25,7 @@ struct QueryRecord {
   std::uint64_t number = 0;     ///< counted from 0 within the file
   std::uint64_t first_row = 0;  ///< line number of its first row, counted from 1; a file of doubles counts as CSV rows
   std::uint64_t last_row = 0;
-  std::string_view text;  ///< its rows as they are in the chunk, which must outlive it; empty in a file of doubles
+  std::string_view text;  ///< its rows as they are in the chunk, which must outlive it; empty without fractions in them
   LongerTurns longer_turns = {};  ///< of a curved query, as the file has it
 };
 
@@ -43,7 +43,9 @@ class QueryParser {
   std::string_view line_at(const char* start) const noexcept;
   void skip_line(std::string_view line) noexcept;
   void skip_to_row() noexcept;
+  void skip_names() noexcept;
   bool next_curved(QueryRecord& record);
+  bool next_of_decimals(QueryRecord& record);
   bool next_of_array(QueryRecord& record);
   void check_truth(QueryRecord& record, std::size_t row, std::optional<bool> truth) const;
   [[noreturn]] void refuse_truncated(std::size_t rows) const;

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: MIT
+#include "io/queries/decimal_rows.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "io/characters.hpp"
+#include "io/fail.hpp"
+#include "io/queries/query_writer.hpp"
+#include "io/times.hpp"
+#include "numbers/written_number.hpp"
+
+namespace touchstone::io {
+namespace {
+
+std::vector<std::string_view> fields_of(std::string_view line) {
+  if (line.ends_with('\r')) line.remove_suffix(1);
+  std::vector<std::string_view> fields;
+  for (std::size_t at = 0; at <= line.size();) {
+    const std::size_t end = std::min(line.find(',', at), line.size());
+    fields.push_back(without_blanks(line.substr(at, end - at)));
+    at = end + 1;
+  }
+  return fields;
+}
+
+std::size_t numbers_per_row(Kind kind, RowFormat format) {
+  return format == RowFormat::whole_query ? 6 * corner_count(kind) : 3;
+}
+
+std::string columns_text(std::size_t count) { return std::to_string(count) + (count == 1 ? " column" : " columns"); }
+
+/// "x of v at t = 1".
+std::string name_of_number(Kind kind, RowFormat format, std::size_t i) {
+  const std::string axis(1, "xyz"[i % 3]);
+  if (format == RowFormat::corners) return axis;
+  const std::size_t corner = i / 3, corners = corner_count(kind);
+  return axis + " of " + std::string(corner_name(kind, corner % corners)) + " at t = " + (corner < corners ? "0" : "1");
+}
+
+}  // namespace
+
+std::optional<RowFormat> format_of_row(std::string_view row, Kind kind) {
+  const std::size_t columns = fields_of(row).size();
+  const std::size_t whole = numbers_per_row(kind, RowFormat::whole_query);
+  if (columns == 6 || columns == 7) return RowFormat::fractions;
+  if (columns == 3 || columns == 4) return RowFormat::corners;
+  if (columns == whole || columns == whole + 1) return RowFormat::whole_query;
+  return std::nullopt;
+}
+
+bool names_columns(std::string_view row) {
+  const auto is_word = [](std::string_view text) {
+    const char first = text.empty() ? '\0' : text.front();
+    const bool is_letter = (first >= 'a' && first <= 'z') || (first >= 'A' && first <= 'Z') || first == '_';
+    return is_letter && text != "nan" && text != "NaN" && text != "inf" && text != "Infinity";
+  };
+  const auto fields = fields_of(row);
+  return std::all_of(fields.begin(), fields.end(), is_word);
+}
+
+std::size_t rows_per_query(Kind kind, RowFormat format) noexcept {
+  return format == RowFormat::whole_query ? 1 : 2 * corner_count(kind);
+}
+
+std::string fault_of_columns(std::string_view row, Kind kind) {
+  const std::size_t whole = numbers_per_row(kind, RowFormat::whole_query);
+  return columns_text(fields_of(row).size()) +
+         "; a row is a corner as fractions, with 7: x_num,x_den,y_num,y_den,z_num,z_den,truth, or 6 without truth; a "
+         "corner as decimals, x,y,z with 3, or 4 with truth; or a whole " +
+         std::string(name_of(kind)) + " query, with " + std::to_string(whole) + " decimals, and truth or not";
+}
+
+std::string read_decimals(std::string_view line, Kind kind, RowFormat format, Decimals decimals,
+                          std::vector<Fraction>& numbers, std::optional<bool>& truth) {
+  if (line.find('\0') != std::string_view::npos) return "a zero byte; this is no text file";
+  const auto fields = fields_of(line);
+  const std::size_t count = numbers_per_row(kind, format);
+  if (fields.size() != count && fields.size() != count + 1) {
+    return columns_text(fields.size()) + "; the first row has " + std::to_string(count) + " decimals" +
+           (format == RowFormat::corners ? ", x,y,z" : "") + ", and truth or not";
+  }
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::string_view field = fields[i];
+    const auto fault = [&](const std::string& reason) {
+      return name_of_number(kind, format, i) + " is " + in_quotes(field) + "; " + reason;
+    };
+    std::string_view plain = field;
+    if (plain.starts_with('+')) plain.remove_prefix(1);
+    const auto nearest = parse_rounded_double(plain);
+    if (!nearest) return fault("it must be a number such as -0.25, 1e-3 or 0x1p-2");
+    if (decimals == Decimals::nearest_double) {
+      if (std::isinf(*nearest)) return fault("it is beyond the greatest double");
+      numbers.push_back(fraction_of(*nearest));
+      continue;
+    }
+    auto exactly = numbers::exact_value(plain);
+    if (!exactly) {
+      return fault("as a fraction it has more than " + std::to_string(numbers::kMostWrittenDigits) + " digits");
+    }
+    numbers.push_back({std::move(exactly->numerator), std::move(exactly->denominator)});
+  }
+  truth = std::nullopt;
+  if (fields.size() == count) return {};
+  if (fields[count] != "0" && fields[count] != "1") {
+    return "truth is " + in_quotes(fields[count]) + "; it must be 0 or 1";
+  }
+  truth = fields[count] == "1";
+  return {};
+}
+
+}  // namespace touchstone::io
