@@ -13,7 +13,6 @@
 #include "cli/shared/progress/query_progress.hpp"
 #include "cli/shared/progress/summary.hpp"
 #include "cli/shared/words.hpp"
-#include "io/answers/answer_writer.hpp"
 #include "io/fail.hpp"
 #include "io/output_file.hpp"
 #include "io/queries/query_parser.hpp"
@@ -22,23 +21,26 @@ namespace touchstone::cli {
 namespace {
 
 struct SolveItem : QueryItem {
-  std::string rows;  ///< of answers.csv
+  std::string rows;  ///< of answers.csv, or lines of JSON
   Counts counts;
 };
 
 void solve_queries(SolveItem& item, const std::vector<Input>& inputs, const SolveCommandOptions& options) {
   if (item.chunk.file == nullptr) return;  // reading failed
-  const std::string file = io::csv_field(inputs[item.input].name);
+  const std::string& name = inputs[item.input].name;
+  const std::string file = options.json ? io::json_string(name) : io::csv_field(name);
   io::QueryParser parser(item.chunk, options.turns);
   io::QueryRecord record;
   while (parser.next(record)) {
     item.longer_turns.merge(record.longer_turns);
     const Separation& separation = options.separation.separation;
     const Answer answer = answer_to(record.query, options.method, separation);
-    if (options.separation.given) {
-      io::append_answer(item.rows, file, record.number, answer, separation);
+    if (options.json) {
+      io::append_answer_line(item.rows, file, record.number, answer, options.separation.given ? &separation : nullptr);
+    } else if (options.separation.given) {
+      io::append_answer(item.rows, file, record.number, answer, separation, options.numbers);
     } else {
-      io::append_answer(item.rows, file, record.number, answer);
+      io::append_answer(item.rows, file, record.number, answer, options.numbers);
     }
     item.counts.add(answer);
   }
@@ -56,7 +58,7 @@ int run_solve(const SolveCommandOptions& options) {
   Counts counts;
   TurnNotes turns(inputs, options.turns);
   QueryProgress progress(inputs);
-  out.write(options.separation.given ? io::kSeparationAnswerHeader : io::kAnswerHeader);
+  if (!options.json) out.write(options.separation.given ? io::kSeparationAnswerHeader : io::kAnswerHeader);
   const int threads = run_in_order<SolveItem>(
       thread_count(options.threads), [&](SolveItem& item) { return stream.next(item); },
       [&](SolveItem& item) { solve_queries(item, inputs, options); },
@@ -93,6 +95,16 @@ void add_solve(CLI::App& program, Command& command) {
                    "The file for the answers (default: standard output). It appears when all answers are complete; "
                    "after an error there is none")
       ->type_name("FILE");
+  subcommand
+      ->add_option_function<std::string>(
+          "--numbers",
+          [options](const std::string& name) {
+            options->numbers = name == "decimal" ? io::Numbers::decimals : io::Numbers::hexfloats;
+          },
+          "How doubles are written in CSV: hex (default), or decimal, the shortest that reads back as the same double")
+      ->type_name("SORT")
+      ->check(CLI::IsMember({"hex", "decimal"}));
+  subcommand->add_flag("--json", options->json, "Write a JSON object a line, with decimals, in place of CSV");
   subcommand->footer(
       "The answers are CSV with the columns file,query,contact,toi,toi_upper,nature,feature_a,feature_b,level. Each\n"
       "query has a row, in input order; the number of threads changes nothing. toi and toi_upper are the neighbouring\n"

@@ -6,11 +6,14 @@
 
 #include "cli/shared/command_line/command.hpp"
 #include "cli/shared/command_line/common_options.hpp"
+#include "io/answers/answer_writer.hpp"
 
 namespace touchstone::cli {
 
 struct SolveCommandOptions : QueryOptions {
   std::string out = "-";
+  io::Numbers numbers = io::Numbers::hexfloats;
+  bool json = false;  ///< lines of JSON in place of CSV
 };
 
 int run_solve(const SolveCommandOptions& options);

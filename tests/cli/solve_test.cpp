@@ -1,7 +1,10 @@
 // touchstone solve: one row a query, in input order, the same bytes for any number of threads and any chunk size.
 // SPDX-License-Identifier: MIT
+#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
+
+#include <touchstone/solve.hpp>
 
 #include "cli/run_program.hpp"
 #include "cli/sample_files.hpp"
@@ -42,6 +45,50 @@ TEST_CASE("answers are those of the library, for any number of threads and any c
       const Run run = run_here([&] { return cli::run_solve(options); });
       CHECK(run.status == 0);
       REQUIRE(folder.read("answers.csv") == expected);
+    }
+  }
+}
+
+TEST_CASE("answers as decimals and as lines of JSON read back as the same answers") {
+  const TemporaryFolder folder;
+  for (const bool apart : {false, true}) {
+    for (const Kind kind : {Kind::edge_edge, Kind::vertex_face}) {
+      const SampleFile sample = sample_file(kind, 9, 2);
+      const std::string file = folder.write(std::string(name_of(kind)) + "/\"a\"\n.csv", sample.text);
+      const auto run_with = [&](std::vector<std::string> words) {
+        if (apart) words.insert(words.end(), {"--separation", "0.1", "--metric", "max"});
+        words.push_back(file);
+        return run_program(words);
+      };
+      const std::string hexfloats = run_with({"solve"}).out;
+      const std::string decimals = run_with({"solve", "--numbers", "decimal"}).out;
+      CHECK(hexfloats.find("0x1") != std::string::npos);
+      CHECK(decimals.find("0x") == std::string::npos);
+      const std::string lines = run_with({"solve", "--json"}).out;
+      std::size_t count = 0;
+      for (std::size_t at = 0; at < lines.size(); ++count) {
+        const std::size_t end = lines.find('\n', at);
+        const auto line = nlohmann::json::parse(lines.substr(at, end - at));
+        at = end + 1;
+        const Separation separation = apart ? Separation{0.1, Metric::max} : Separation{};
+        const Answer answer = solve(sample.queries[count], {.separation = separation});
+        REQUIRE(line["file"] == file);
+        REQUIRE(line["query"] == count);
+        REQUIRE(line["contact"] == answer.contact);
+        REQUIRE(line["toi"] == (answer.contact ? nlohmann::json(answer.toi) : nlohmann::json()));
+        REQUIRE(line["toi_upper"] == (answer.contact ? nlohmann::json(answer.toi_upper) : nlohmann::json()));
+        REQUIRE(line["level"] == name_of(answer.level));
+        REQUIRE(line.contains("metric") == apart);
+      }
+      CHECK(count == sample.queries.size());
+      for (const auto& [name, text] : std::vector<std::pair<std::string, std::string>>{
+               {"hex.csv", hexfloats}, {"decimal.csv", decimals}, {"lines.jsonl", lines}}) {
+        const Run judged = run_program({"certify", "--as-doubles", "--claims", folder.write(name, text), file});
+        CAPTURE(name, judged.out, judged.err);
+        CHECK(judged.status == 0);
+        CHECK(judged.out.starts_with("all " + std::to_string(count) + " claims hold"));
+        CHECK(occurrences(judged.out, "0 to 0 doubles before the exact time") == 1);
+      }
     }
   }
 }

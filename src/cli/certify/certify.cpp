@@ -218,7 +218,8 @@ int run_certify(const CertifyOptions& options) {
   if (!options.claims.empty()) {
     const io::ClaimColumns columns =
         options.columns.empty() ? io::ClaimColumns() : io::parse_claim_columns(options.columns);
-    claims.emplace(options.claims, columns, inputs, options.separation, separations_of_file, options.chunk_bytes);
+    claims.emplace(options.claims, columns, options.decimals, inputs, options.separation, separations_of_file,
+                   options.chunk_bytes);
   }
   std::optional<GrowingReport> report;
   if (!options.report.empty()) report.emplace(options.report);

@@ -12,10 +12,14 @@
 
 namespace touchstone::cli {
 
-ClaimStream::ClaimStream(const std::string& path, const io::ClaimColumns& columns, const std::vector<Input>& inputs,
-                         const SeparationOption& separation, SeparationsOfFile separations_of_file,
-                         std::size_t chunk_bytes)
-    : name_(without_dash(path)), inputs_(inputs), separation_(separation), separations_of_file_(separations_of_file) {
+ClaimStream::ClaimStream(const std::string& path, const io::ClaimColumns& columns, io::Decimals decimals,
+                         const std::vector<Input>& inputs, const SeparationOption& separation,
+                         SeparationsOfFile separations_of_file, std::size_t chunk_bytes)
+    : name_(without_dash(path)),
+      decimals_(decimals),
+      inputs_(inputs),
+      separation_(separation),
+      separations_of_file_(separations_of_file) {
   if (is_list_of_claims(name_)) {
     listed_ = read_listed_claims(name_, columns);
   } else {
@@ -55,6 +59,7 @@ void ClaimStream::read(const QueryItem& item, std::vector<StatedClaim>& claims) 
              fmt::format("query is {} where {} of {} comes next; claims must be in the order of the queries, one each",
                          *row.query, query, io::printable(input.name)));
     }
+    if (decimals_ == io::Decimals::nearest_double) row.toi_as_written = {};
     const Separation separation = separation_of(row);
     if (separations_of_file_ == SeparationsOfFile::one) check_one_separation(separation, row.row, query, input);
     claims.push_back({{row.contact, row.toi, std::string(row.toi_as_written)}, separation});
@@ -72,6 +77,8 @@ bool ClaimStream::next(io::AnswerRow& row) {
   if (reader_) return reader_->next(row);
   if (claims_ == listed_.claims.size()) return false;
   const ListedClaim& claim = listed_.claims[claims_];
+  if (claim.file) row.file = *claim.file;
+  row.separation = claim.separation;
   row.query = claim.query;
   row.contact = claim.contact;
   row.toi = claim.toi;

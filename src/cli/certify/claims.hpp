@@ -34,9 +34,11 @@ class ClaimStream {
   /// @param separation  what the claims must be about. When it is not given, a claim is about the separation of its
   ///                    row, and about touching when the file has no such column
   /// @param columns     of --columns; empty without
+  /// @param decimals    what a toi in CSV stands for that is no double
   /// @throws FileError when the file cannot be read or holds no claims
-  ClaimStream(const std::string& path, const io::ClaimColumns& columns, const std::vector<Input>& inputs,
-              const SeparationOption& separation, SeparationsOfFile separations_of_file, std::size_t chunk_bytes);
+  ClaimStream(const std::string& path, const io::ClaimColumns& columns, io::Decimals decimals,
+              const std::vector<Input>& inputs, const SeparationOption& separation,
+              SeparationsOfFile separations_of_file, std::size_t chunk_bytes);
 
   /// What is left out, for the verdict's line: "no times" and "not read: column 'ns'"; empty when nothing is.
   std::string left_out() const;
@@ -57,6 +59,7 @@ class ClaimStream {
   [[noreturn]] void refuse(std::uint64_t row, const std::string& reason) const;
 
   std::string name_;
+  io::Decimals decimals_;
   const std::vector<Input>& inputs_;
   const SeparationOption& separation_;
   SeparationsOfFile separations_of_file_;

@@ -60,12 +60,23 @@ std::optional<double> time_of(const JsonNode& node) {
   return time;
 }
 
+Separation separation_of(const JsonNode& distance, const std::optional<JsonNode>& metric) {
+  Separation separation;
+  separation.distance = distance.number();
+  if (!(separation.distance >= 0)) distance.fail("must be 0 or greater");
+  if (!metric) return separation;
+  const auto named = from_name<Metric>(metric->text());
+  if (!named) metric->fail("must be euclidean or max");
+  separation.metric = *named;
+  return separation;
+}
+
 /// Reads the claims of one document, item by item.
 class JsonClaims {
  public:
   void add(const JsonNode& node) {
     if (!node.is_object()) {
-      all_.claims.push_back({{}, contact_of(node), {}});
+      all_.claims.push_back({{}, {}, contact_of(node), {}, {}});
       return;
     }
     std::array<std::optional<JsonNode>, io::kClaimColumns> found;
@@ -82,12 +93,13 @@ class JsonClaims {
     const auto at = [&](ClaimColumn column) -> const std::optional<JsonNode>& {
       return found[static_cast<std::size_t>(column)];
     };
-    for (const ClaimColumn column : {ClaimColumn::file, ClaimColumn::separation, ClaimColumn::metric}) {
-      if (at(column)) node.fail("has the key " + io::in_quotes(io::claim_column_name(column)) + "; CSV may have it");
-    }
     if (!at(ClaimColumn::contact)) node.fail("has no key 'contact'; known are " + io::claim_column_names());
     ListedClaim claim;
     claim.contact = contact_of(*at(ClaimColumn::contact));
+    if (at(ClaimColumn::file)) claim.file = at(ClaimColumn::file)->text();
+    if (at(ClaimColumn::separation)) {
+      claim.separation = separation_of(*at(ClaimColumn::separation), at(ClaimColumn::metric));
+    }
     if (at(ClaimColumn::query)) claim.query = at(ClaimColumn::query)->whole_number(0, std::uint64_t{1} << 53);
     all_.have_times = all_.have_times || at(ClaimColumn::toi).has_value();
     if (claim.contact && at(ClaimColumn::toi)) claim.toi = time_of(*at(ClaimColumn::toi));

@@ -8,14 +8,18 @@
 #include <string_view>
 #include <vector>
 
+#include <touchstone/separation.hpp>
+
 #include "io/answers/claim_columns.hpp"
 
 namespace touchstone::cli {
 
 struct ListedClaim {
+  std::optional<std::string> file;     ///< nothing where the file does not name query files
   std::optional<std::uint64_t> query;  ///< nothing where the file does not count the queries
   bool contact = false;
   std::optional<double> toi;  ///< finite; only with contact
+  std::optional<Separation> separation;
 };
 
 struct ListedClaims {

@@ -73,7 +73,7 @@ std::string check_whole_number(const std::string& text, std::uint64_t least, std
 void add_decimals_option(CLI::App& subcommand, io::Decimals& decimals) {
   subcommand.add_flag_callback(
       "--as-doubles", [&decimals] { decimals = io::Decimals::nearest_double; },
-      "A decimal in a query file that is no double stands for the nearest double, not for itself");
+      "A decimal in a file of queries or claims that is no double stands for the nearest double, not for itself");
 }
 
 void add_query_options(CLI::App& subcommand, QueryOptions& options) {

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "io/answers/answer_writer.hpp"
 
+#include <array>
+#include <charconv>
+#include <nlohmann/json.hpp>
+
 #include "io/characters.hpp"
 #include "io/times.hpp"
 
@@ -26,11 +30,18 @@ std::string csv_field(std::string_view text) {
 
 namespace {
 
+std::string number(double value, Numbers numbers) {
+  if (numbers == Numbers::hexfloats) return hexfloat(value);
+  std::array<char, 40> text;
+  return std::string(text.data(), std::to_chars(text.data(), text.data() + text.size(), value).ptr);
+}
+
 /// A row without its line end.
-void append_columns(std::string& out, std::string_view file_field, std::uint64_t query, const Answer& answer) {
+void append_columns(std::string& out, std::string_view file_field, std::uint64_t query, const Answer& answer,
+                    Numbers numbers) {
   out.append(file_field).append(",").append(std::to_string(query));
   if (answer.contact) {
-    out.append(",1,").append(hexfloat(answer.toi)).append(",").append(hexfloat(answer.toi_upper));
+    out.append(",1,").append(number(answer.toi, numbers)).append(",").append(number(answer.toi_upper, numbers));
     out.append(",").append(name_of(answer.nature));
     out.append(",").append(name_of(answer.feature_a));
     out.append(",").append(name_of(answer.feature_b));
@@ -42,17 +53,50 @@ void append_columns(std::string& out, std::string_view file_field, std::uint64_t
 
 }  // namespace
 
-void append_answer(std::string& out, std::string_view file_field, std::uint64_t query, const Answer& answer) {
-  append_columns(out, file_field, query, answer);
+void append_answer(std::string& out, std::string_view file_field, std::uint64_t query, const Answer& answer,
+                   Numbers numbers) {
+  append_columns(out, file_field, query, answer, numbers);
   out.append("\n");
 }
 
 void append_answer(std::string& out, std::string_view file_field, std::uint64_t query, const Answer& answer,
-                   const Separation& separation) {
-  append_columns(out, file_field, query, answer);
+                   const Separation& separation, Numbers numbers) {
+  append_columns(out, file_field, query, answer, numbers);
   out.append(!answer.contact ? "," : answer.starts_within ? ",1" : ",0");
   out.append(",").append(name_of(answer.trend));
-  out.append(",").append(hexfloat(separation.distance)).append(",").append(name_of(separation.metric)).append("\n");
+  out.append(",")
+      .append(number(separation.distance, numbers))
+      .append(",")
+      .append(name_of(separation.metric))
+      .append("\n");
+}
+
+std::string json_string(std::string_view text) {
+  constexpr auto kReplace = nlohmann::json::error_handler_t::replace;
+  return nlohmann::json(std::string(text)).dump(-1, ' ', false, kReplace);
+}
+
+void append_answer_line(std::string& out, std::string_view file_string, std::uint64_t query, const Answer& answer,
+                        const Separation* separation) {
+  const auto add = [&out, &answer](const char* key, const std::string& value) {
+    out.append(",\"").append(key).append("\":").append(answer.contact ? value : "null");
+  };
+  const auto quoted = [](std::string_view name) { return "\"" + std::string(name) + "\""; };
+  out.append("{\"file\":").append(file_string).append(",\"query\":").append(std::to_string(query));
+  out.append(",\"contact\":").append(answer.contact ? "true" : "false");
+  add("toi", number(answer.toi, Numbers::decimals));
+  add("toi_upper", number(answer.toi_upper, Numbers::decimals));
+  add("nature", quoted(name_of(answer.nature)));
+  add("feature_a", quoted(name_of(answer.feature_a)));
+  add("feature_b", quoted(name_of(answer.feature_b)));
+  out.append(",\"level\":").append(quoted(name_of(answer.level)));
+  if (separation != nullptr) {
+    add("starts_within", answer.starts_within ? "true" : "false");
+    add("trend", answer.trend == Trend::none ? "null" : quoted(name_of(answer.trend)));
+    out.append(",\"separation\":").append(number(separation->distance, Numbers::decimals));
+    out.append(",\"metric\":").append(quoted(name_of(separation->metric)));
+  }
+  out.append("}\n");
 }
 
 }  // namespace touchstone::io
