@@ -76,6 +76,15 @@ def rows_of(path, kind):
     return [(numbers[i:i + size // 2], numbers[i + size // 2:i + size]) for i in range(0, len(numbers), size)]
 
 
+@pytest.mark.parametrize("kind, names", [("edge-edge", ["EE", "edge_edge"]), ("vertex-face", ["PT", "point-triangle"])])
+def test_kinds_have_the_names_of_others(kind, names):
+    start, end = np.zeros((1, 4, 3)), np.zeros((1, 4, 3))
+    for name in names:
+        assert [repr(a) for a in ts.solve(name, start, end)] == [repr(a) for a in ts.solve(kind, start, end)]
+    with pytest.raises(ValueError, match="kind is 'edge-face'; it must be one of 'edge-edge'"):
+        ts.solve("edge-face", start, end)
+
+
 def test_the_answers_of_the_program(tmp_path):
     program = os.environ["TOUCHSTONE_PROGRAM"]
     if not program:

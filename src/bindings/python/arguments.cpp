@@ -3,10 +3,23 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
+#include <string>
 #include <string_view>
+
+#include "geometry/kind_aliases.hpp"
 
 namespace touchstone::python {
 namespace {
+
+template <class E>
+std::optional<E> value_named(const std::string& name) {
+  return from_name<E>(name);
+}
+template <>
+std::optional<Kind> value_named<Kind>(const std::string& name) {
+  return geometry::kind_named(name);
+}
 
 /// The value of E with this name, in which '_' may stand for '-'.
 template <class E>
@@ -19,7 +32,7 @@ E value_of(py::handle name, const char* what) {
   if (text == nullptr) throw py::error_already_set();
   std::string given(text, static_cast<std::size_t>(size));
   std::replace(given.begin(), given.end(), '_', '-');
-  if (const auto value = from_name<E>(given)) return *value;
+  if (const auto value = value_named<E>(given)) return *value;
   std::string message = std::string(what) + " is " + std::string(py::str(py::repr(name))) + "; it must be one of ";
   const Names names = names_of<E>();
   for (const std::string_view& known : names)

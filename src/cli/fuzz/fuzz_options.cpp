@@ -12,6 +12,7 @@
 #include "cli/shared/words.hpp"
 #include "fuzz/climb.hpp"
 #include "fuzz/named_solvers.hpp"
+#include "geometry/kind_aliases.hpp"
 #include "io/queries/kind_of_file.hpp"
 #include "io/times.hpp"
 
@@ -141,7 +142,7 @@ std::vector<CLI::Option*> add_source_options(CLI::App& subcommand, FuzzCommandOp
           .add_option_function<std::vector<std::string>>(
               "--kind",
               [&settings](const std::vector<std::string>& names) {
-                for (const auto& name : names) settings.kinds.push_back(*from_name<Kind>(name));
+                for (const auto& name : names) settings.kinds.push_back(*geometry::kind_named(name));
               },
               "Only queries of this kind: " + io::kind_names() + " (default: all; may be given more than once)")
           ->type_name("KIND")

@@ -8,6 +8,7 @@
 #include "cli/generate/generate.hpp"
 #include "cli/shared/command_line/common_options.hpp"
 #include "cli/shared/command_line/kind_check.hpp"
+#include "geometry/kind_aliases.hpp"
 #include "io/queries/kind_of_file.hpp"
 
 namespace touchstone::cli {
@@ -80,7 +81,7 @@ void add_mesh_options(CLI::App& subcommand, GenerateOptions& options) {
 void add_kind(CLI::App& subcommand, GenerateOptions& options) {
   subcommand
       .add_option_function<std::string>(
-          "--kind", [&options](const std::string& name) { options.kind = from_name<Kind>(name); },
+          "--kind", [&options](const std::string& name) { options.kind = geometry::kind_named(name); },
           "Only these queries: edge-edge or vertex-face; of curved families also point-edge or point-point (default: "
           "all)")
       ->type_name("KIND")
