@@ -92,6 +92,9 @@ int complain_about_argument(const CLI::App& program, const std::string& word) {
   }
   const std::string option = word.substr(0, word.find('='));
   const bool is_option = option.starts_with("-");
+  if (std::find(names.begin(), names.end(), option) != names.end()) {
+    return complain("touchstone: " + option + " stands behind the command: " + command + " " + option);
+  }
   return complain("touchstone: " + io::with_short_words(option) +
                   (is_option ? " is no option of " + command + did_you_mean(option, names)
                              : " is one argument too many for " + command) +
@@ -102,15 +105,6 @@ int complain_about_usage(const CLI::App& program, const CLI::ParseError& error) 
   const auto given = program.get_subcommands();
   const std::string command = given.empty() ? "" : " " + given.front()->get_name();
   return complain("touchstone: " + first_line(error.what()) + " (see touchstone" + command + " --help)");
-}
-
-/// "help mesh" asks for what "mesh --help" says, and "help" for what "--help" says.
-std::vector<std::string> arguments_of(int argc, const char* const* argv) {
-  std::vector<std::string> words(argv + std::min(argc, 1), argv + argc);
-  if (words.empty() || words.front() != "help") return words;
-  words.erase(words.begin());
-  words.emplace_back("--help");
-  return words;
 }
 
 int parse_and_run(int argc, const char* const* argv) {
@@ -177,11 +171,16 @@ int parse_and_run(int argc, const char* const* argv) {
   add_doctor(program, command);
   add_describe(program, command);
   try {
-    std::vector<std::string> words = arguments_of(argc, argv);
-    const bool asks_for_help = words.size() == 2 && words.back() == "--help";
-    const std::vector<std::string> names = subcommand_names(program);
-    if (asks_for_help && std::find(names.begin(), names.end(), words.front()) == names.end()) {
-      return complain_about_subcommand(program, words.front());
+    std::vector<std::string> words(argv + std::min(argc, 1), argv + argc);
+    if (!words.empty() && words.front() == "help") {  // "help mesh" is "mesh --help", and "help" is "--help"
+      if (words.size() > 2) return complain("touchstone: help takes the name of one command");
+      const auto all = program.get_subcommands([](const CLI::App*) { return true; });
+      const auto is_asked = [&](const CLI::App* one) { return words.size() == 2 && one->get_name() == words.back(); };
+      if (words.size() == 2 && std::none_of(all.begin(), all.end(), is_asked)) {
+        return complain_about_subcommand(program, words.back());
+      }
+      words.erase(words.begin());
+      words.emplace_back("--help");
     }
     std::reverse(words.begin(), words.end());  // as CLI11 takes them
     program.parse(std::move(words));

@@ -80,12 +80,16 @@ TEST_CASE("a mistyped name is answered with the nearest one") {
   check_refused({"doctor", "now"}, "now is one argument too many for touchstone doctor (see touchstone doctor --help)");
   check_refused({"simulate", "hop"}, "nut-and-bolt; did you mean hoop?");
   check_refused({"help", "sovle"}, "sovle is no subcommand; did you mean solve?");
+  check_refused({"help", "solve", "mesh"}, "help takes the name of one command");
+  check_refused({"--threads", "2", "solve", "a.csv"},
+                "--threads stands behind the command: touchstone solve --threads");
 }
 
 TEST_CASE("help and a command's name print the command's help") {
   CHECK(run_program({"help", "mesh"}).out == run_program({"mesh", "--help"}).out);
   CHECK(run_program({"help"}).out == run_program({"--help"}).out);
   CHECK(run_program({"help"}).status == 0);
+  CHECK(run_program({"help", "describe"}).out == run_program({"describe", "--help"}).out);
 }
 
 TEST_CASE("a dash is standard input, for queries and for claims") {
@@ -97,11 +101,34 @@ TEST_CASE("a dash is standard input, for queries and for claims") {
   const Run solved = run_program({"solve", "--kind", "edge-edge", "-"}, options);
   CAPTURE(solved.err);
   CHECK(solved.status == 0);
+  const Run over = run_program({"solve", "--kind", "edge-edge", "--out", file, "-"}, options);
+  CHECK(over.status == 2);
+  CHECK(occurrences(over.err, "is also an input; writing there would destroy it") == 1);
   options.standard_input = folder.write("answers.csv", solved.out);
   const Run judged = run_program({"certify", "--columns", "-,query,hit,toi,-,-,-,-,-", "--claims", "-", file}, options);
   CAPTURE(judged.out, judged.err);
   CHECK(judged.status == 0);
   CHECK(occurrences(judged.out, std::to_string(sample.queries.size()) + " claims hold (claims of -, 1 file)") == 1);
+}
+
+TEST_CASE("kinds have the names that other programs give them, too") {
+  const TemporaryFolder folder;
+  const std::string rows = folder.write("q.csv", "0,0,0\n1,0,0\n0,1,1\n0,2,1\n0,0,0\n1,0,0\n0,1,1\n0,2,1\n");
+  for (const auto& [kind, names] : std::vector<std::pair<std::string, std::vector<std::string>>>{
+           {"edge-edge", {"EE", "Edge_Edge", "segment-segment"}},
+           {"vertex-face", {"VF", "fv", "PT", "vt", "point-triangle", "Vertex-Triangle", "point-face"}},
+           {"point-edge", {"PE", "ev", "vertex-edge", "point_segment"}},
+           {"point-point", {"PP", "vv", "vertex-vertex"}}}) {
+    const Run plain = run_program({"solve", "--kind", kind, rows});
+    for (const std::string& name : names) {
+      const Run run = run_program({"solve", "--kind", name, rows});
+      CAPTURE(name);
+      CHECK(run.out == plain.out);
+      CHECK(run.err == plain.err);
+      CHECK(run.status == plain.status);
+    }
+  }
+  check_refused({"solve", "--kind", "edge-face", rows}, "edge-face is no kind");
 }
 
 TEST_CASE("queries of decimals are solved, and what a proof is about is fractions") {
@@ -118,6 +145,9 @@ TEST_CASE("queries of decimals are solved, and what a proof is about is fraction
     check_refused(command,
                   whole + ": has decimals; a proof is about fractions, which touchstone convert makes of them");
   }
+  const std::string named = folder.write("edge-edge/named.csv", "x_num,x_den,y_num,y_den,z_num,z_den\n1,1,1,1,1,1\n");
+  CHECK(occurrences(run_program({"prove", "--out", folder.path("p.txt"), named}).err,
+                    ":1: names columns, which touchstone-check does not read; take the line away") == 1);
   const std::string fractions = folder.path("edge-edge/fractions.csv");
   REQUIRE(run_program({"convert", whole, fractions}).status == 0);
   CHECK(run_program({"prove", "--out", folder.path("p.txt"), fractions}).status == 0);

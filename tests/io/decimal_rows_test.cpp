@@ -49,7 +49,12 @@ TEST_CASE("decimals and hexfloats of doubles are read as these doubles, in rows 
   for (const Kind kind : kKinds) {
     for (const std::string separator : {"\n", ","}) {
       for (const std::string truth : {"", ",1"}) {
-        std::string hexfloats = "# a comment\n", decimals = "x , y_0,Z\r\n";
+        std::string hexfloats = "# a comment\n", decimals;
+        const std::size_t numbers = separator == "," ? 6 * corner_count(kind) : 3;
+        for (std::size_t i = 0; i < numbers; ++i) {
+          decimals += (i > 0 ? " ," : "") + std::string(1, "xyZ"[i % 3]) + std::to_string(i / 3);
+        }
+        decimals += (truth.empty() ? "" : ",Truth") + std::string("\r\n");
         std::vector<Query> queries;
         for (const auto& family : all_families()) {
           queries.push_back(make(family.family, kind, rng));
@@ -99,7 +104,18 @@ TEST_CASE("faults of decimals are named with what would be right") {
   };
   CHECK(error("1,2,x\n") == ":1: z is 'x'; it must be a number such as -0.25, 1e-3 or 0x1p-2");
   CHECK(error("1,2,nan\n") == ":1: z is 'nan'; it must be a number such as -0.25, 1e-3 or 0x1p-2");
-  CHECK(error("1,2,3\n1,2\n") == ":2: 2 columns; the first row has 3 decimals, x,y,z, and truth or not");
+  CHECK(error("1,+-2,3\n") == ":1: y is '+-2'; it must be a number such as -0.25, 1e-3 or 0x1p-2");
+  CHECK(error("1,2,3\n1,2\n") == ":2: 2 columns; the first row has 3 decimals, x,y,z and no truth");
+  CHECK(error("1,2,3,1\n1,2,3\n") == ":2: 3 columns; the first row has 3 decimals, x,y,z and truth");
+  const std::string cut = ": the last row does not end with an end of line, so that the file may be cut off here";
+  CHECK(error("1,2,3\n1,2,3\n1,2,3\n1,2,-2") == ":4" + cut);
+  CHECK(error("id,x,y,z\n0,1,2,0\n") == ":1: column 1 is called 'id'; the columns are x, y and z");
+  CHECK(error("x,y,z,w\n0,1,2,0\n").starts_with(":1: column 4 is called 'w'; the last of so many columns is truth"));
+  CHECK(error("truth,x,y,z\n0,1,2,0\n") ==
+        ":1: column 1 is called 'truth'; the truth stands last, behind the coordinates");
+  CHECK(error("z,y,x\n0,1,2\n") == ":1: column 1 is called 'z'; the columns are x, y and z");
+  CHECK(error("x,y\n0,1,2\n") == ":1: the line names 2 columns, and the first row has 3");
+  CHECK(error("NAN,Inf,none\n").starts_with(":1: x is 'NAN'; it must be a number"));
   CHECK(error("1,2,3\n") == ":1: the file ends within query 0, which has 1 row; a point-point query has 4");
   CHECK(error("1,2,3,1\n1,2,3,0\n").starts_with(":2: truth is 0 here and 1 in row 1"));
   CHECK(error("1,2,3,2\n") == ":1: truth is '2'; it must be 0 or 1");

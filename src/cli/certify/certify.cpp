@@ -181,7 +181,7 @@ std::string summary(const CertifyOptions& options, const std::string& left_out, 
   text += speed_for_person(verdicts.claims(), seconds, threads);
   if (refuted == 0) return text;
   text += "\nrefuted:\n";
-  for (const auto& claim : first_refuted) text += refuted_for_person(claim, options.turns);
+  for (const auto& claim : first_refuted) text += refuted_for_person(claim, options.turns, options.decimals);
   if (refuted > first_refuted.size()) {
     text += fmt::format(
         "  and {} more; {}\n", grouped(refuted - first_refuted.size()),

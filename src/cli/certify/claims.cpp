@@ -29,7 +29,10 @@ ClaimStream::ClaimStream(const std::string& path, const io::ClaimColumns& column
 
 std::string ClaimStream::left_out() const {
   const std::vector<std::string>& unread = reader_ ? reader_->unread_columns() : listed_.unread;
-  std::string text = (reader_ ? reader_->has_times() : listed_.have_times) ? "" : "no times";
+  std::string text;
+  if (times_ < contacts_) {
+    text = times_ == 0 ? "no times" : fmt::format("times for {} of {}", grouped(times_), counted(contacts_, "contact"));
+  }
   if (unread.empty()) return text;
   text += std::string(text.empty() ? "" : ", ") + "not read:";
   constexpr std::size_t kMost = 5;
@@ -64,6 +67,8 @@ void ClaimStream::read(const QueryItem& item, std::vector<StatedClaim>& claims) 
     if (separations_of_file_ == SeparationsOfFile::one) check_one_separation(separation, row.row, query, input);
     claims.push_back({{row.contact, row.toi, std::string(row.toi_as_written)}, separation});
     ++claims_;
+    contacts_ += row.contact ? 1 : 0;
+    times_ += row.toi ? 1 : 0;
   }
 }
 

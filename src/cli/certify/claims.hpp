@@ -40,7 +40,8 @@ class ClaimStream {
               const std::vector<Input>& inputs, const SeparationOption& separation,
               SeparationsOfFile separations_of_file, std::size_t chunk_bytes);
 
-  /// What is left out, for the verdict's line: "no times" and "not read: column 'ns'"; empty when nothing is.
+  /// What the claims that were read leave out, for the verdict's line: "no times", "times for 1 of 5 contacts", "not
+  /// read: 'ns'"; empty when nothing is.
   std::string left_out() const;
 
   /// Appends the claims about the queries of `item`. @throws FileError at the first that is missing, another query's,
@@ -69,7 +70,7 @@ class ClaimStream {
   std::string known_file_;  ///< the last name that was compared, and found to be that of known_input_
   std::size_t known_input_ = 0;
   bool has_known_file_ = false;
-  std::uint64_t claims_ = 0;
+  std::uint64_t claims_ = 0, contacts_ = 0, times_ = 0;  ///< read so far; contacts with a time
 };
 
 }  // namespace touchstone::cli

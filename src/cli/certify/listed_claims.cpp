@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <unordered_set>
 
 #include <touchstone/error.hpp>
 
@@ -27,8 +28,8 @@ constexpr const char* kTimeIsRight = "; of a contact it must be finite, or missi
 
 // ---- JSON
 
-/// JSON has no words for NaN and infinity, but Python's json.dumps writes them. They become null.
-std::string with_null_for_nan(std::string_view text) {
+/// JSON has no words for NaN and infinity, but Python's json.dumps writes them. They become texts.
+std::string with_quotes_around_nan(std::string_view text) {
   std::string out;
   out.reserve(text.size());
   bool in_string = false;
@@ -42,14 +43,19 @@ std::string with_null_for_nan(std::string_view text) {
     if (length == 0) {
       out += text[i];
     } else {
-      out += "null";
+      out.append("\"").append(text.substr(i, length)).append("\"");
       i += length - 1;
     }
   }
   return out;
 }
 
-bool contact_of(const JsonNode& node) { return node.is_number() ? node.whole_number(0, 1) == 1 : node.boolean(); }
+bool contact_of(const JsonNode& node) {
+  if (!node.is_number()) return node.boolean();
+  const double number = node.number();
+  if (number != 0 && number != 1) node.fail("must be 0 or 1, or false or true");
+  return number == 1;
+}
 
 std::optional<double> time_of(const JsonNode& node) {
   if (node.is_null()) return std::nullopt;
@@ -83,7 +89,7 @@ class JsonClaims {
     for (const std::string& key : node.keys()) {
       const auto column = io::claim_column(key);
       if (!column) {
-        if (std::find(all_.unread.begin(), all_.unread.end(), key) == all_.unread.end()) all_.unread.push_back(key);
+        if (!io::is_description(key) && unread_.insert(key).second) all_.unread.push_back(key);
         continue;
       }
       auto& node_of_column = found[static_cast<std::size_t>(*column)];
@@ -97,11 +103,11 @@ class JsonClaims {
     ListedClaim claim;
     claim.contact = contact_of(*at(ClaimColumn::contact));
     if (at(ClaimColumn::file)) claim.file = at(ClaimColumn::file)->text();
+    if (at(ClaimColumn::metric) && !at(ClaimColumn::separation)) node.fail("has a 'metric' and no 'separation'");
     if (at(ClaimColumn::separation)) {
       claim.separation = separation_of(*at(ClaimColumn::separation), at(ClaimColumn::metric));
     }
     if (at(ClaimColumn::query)) claim.query = at(ClaimColumn::query)->whole_number(0, std::uint64_t{1} << 53);
-    all_.have_times = all_.have_times || at(ClaimColumn::toi).has_value();
     if (claim.contact && at(ClaimColumn::toi)) claim.toi = time_of(*at(ClaimColumn::toi));
     all_.claims.push_back(claim);
   }
@@ -110,10 +116,11 @@ class JsonClaims {
 
  private:
   ListedClaims all_;
+  std::unordered_set<std::string> unread_;
 };
 
 ListedClaims claims_of_json(std::string_view content) {
-  const json::JsonDocument document = json::parse_json(with_null_for_nan(content));
+  const json::JsonDocument document = json::parse_json(with_quotes_around_nan(content));
   JsonClaims claims;
   for (const JsonNode& node : JsonNode(document.value(), "the list").items()) claims.add(node);
   return std::move(claims).all();
@@ -130,7 +137,7 @@ ListedClaims claims_of_json_lines(std::string_view content) {
     if (line.empty() || line == "\r") continue;
     const std::string name = "line " + std::to_string(number);
     try {
-      const json::JsonDocument document = json::parse_json(with_null_for_nan(line));
+      const json::JsonDocument document = json::parse_json(with_quotes_around_nan(line));
       claims.add(JsonNode(document.value(), "the object"));
     } catch (const Error& error) {
       throw Error(name + ": " + error.what());
@@ -173,8 +180,13 @@ ListedClaims claims_of_columns(const std::string& name, const std::array<const A
   const auto value = [&](ClaimColumn column, std::uint64_t row) {
     return arrays[index(column)]->at(row, columns[index(column)]);
   };
+  for (const ClaimColumn column : {ClaimColumn::file, ClaimColumn::separation, ClaimColumn::metric}) {
+    if (arrays[index(column)] == nullptr) continue;
+    io::fail(name, "has a " + io::in_quotes(io::claim_column_name(column)) +
+                       ", which is read from CSV and JSON alone; for the separation, --separation says it");
+  }
   ListedClaims all;
-  all.have_times = arrays[index(ClaimColumn::toi)] != nullptr;
+  const bool have_times = arrays[index(ClaimColumn::toi)] != nullptr;
   const std::uint64_t rows = arrays[index(ClaimColumn::contact)]->rows();
   all.claims.reserve(rows);
   for (std::uint64_t row = 0; row < rows; ++row) {
@@ -192,7 +204,7 @@ ListedClaims claims_of_columns(const std::string& name, const std::array<const A
       }
       claim.query = static_cast<std::uint64_t>(query);
     }
-    if (claim.contact && all.have_times) {
+    if (claim.contact && have_times) {
       claim.toi = value(ClaimColumn::toi, row);
       if (!std::isfinite(*claim.toi)) fail("toi", *claim.toi, "; of a contact it must be finite");
     }
@@ -205,7 +217,7 @@ ListedClaims claims_of_npy(const std::string& path, std::string_view content, io
   const Array array(path, content);
   if (names.empty() && array.columns() == 1) names = {ClaimColumn::contact};
   if (names.empty() && array.columns() == 3) names = {ClaimColumn::query, ClaimColumn::contact, ClaimColumn::toi};
-  if (names.size() != array.columns()) {
+  if (names.empty() || names.size() != array.columns()) {
     io::fail(path, fmt::format("has {} columns; --columns says what they are, for example --columns contact,toi",
                                array.columns()));
   }
@@ -254,7 +266,8 @@ ListedClaims claims_of_npz(const std::string& path, std::string_view content) {
 }  // namespace
 
 bool is_list_of_claims(std::string_view path) {
-  return path.ends_with(".json") || path.ends_with(".jsonl") || path.ends_with(".npy") || path.ends_with(".npz");
+  return path.ends_with(".json") || path.ends_with(".jsonl") || path.ends_with(".ndjson") || path.ends_with(".npy") ||
+         path.ends_with(".npz");
 }
 
 ListedClaims read_listed_claims(const std::string& path, const io::ClaimColumns& columns) {

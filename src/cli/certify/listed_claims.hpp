@@ -24,11 +24,10 @@ struct ListedClaim {
 
 struct ListedClaims {
   std::vector<ListedClaim> claims;
-  bool have_times = false;
   std::vector<std::string> unread;  ///< the names of what is not read
 };
 
-/// Whether a file of this name is read whole: .json, .jsonl, .npy or .npz.
+/// Whether a file of this name is read whole: .json, .jsonl, .ndjson, .npy or .npz.
 bool is_list_of_claims(std::string_view path);
 
 /// Reads

@@ -43,23 +43,27 @@ std::string early_for_person(const certify::EarlyTally& early) {
                                       early.most_time(), range(early.median_time(), time)));
 }
 
-std::string refuted_for_person(const certify::RefutedClaim& refuted, io::Turns turns) {
+std::string refuted_for_person(const certify::RefutedClaim& refuted, io::Turns turns, io::Decimals decimals) {
   const Claim& claim = refuted.claim;
   std::string claimed = claim.contact ? "contact" : "no contact";
   const std::string& written = claim.toi_as_written;
+  const Answer& answer = refuted.answer;
   if (!written.empty() && !numbers::is_exactly_a_double(written)) {
     claimed += " at " + io::shortened(written);
+    if (refuted.verdict == Verdict::late && *claim.toi <= answer.toi) {
+      claimed += ", as it is written; the double nearest to it is not late: --as-doubles judges that";
+    }
   } else if (claim.toi) {
     claimed += " at " + time_for_person(*claim.toi);
   }
-  const Answer& answer = refuted.answer;
   const std::string truth =
       answer.contact ? fmt::format("contact at {}, {}", time_for_person(answer.toi), contact_for_person(answer))
                      : "no contact";
-  return fmt::format(
-      "  {} query {} (rows {} to {}): {}\n    claim: {}\n    exact: {}\n    {}{}\n", io::printable(refuted.file),
-      refuted.query, refuted.first_row, refuted.last_row, name_of(refuted.verdict), claimed, truth,
-      explain_command(refuted.file, refuted.kind(), refuted.query, refuted.separation), turns_argument(turns));
+  return fmt::format("  {} query {} (rows {} to {}): {}\n    claim: {}\n    exact: {}\n    {}{}{}\n",
+                     io::printable(refuted.file), refuted.query, refuted.first_row, refuted.last_row,
+                     name_of(refuted.verdict), claimed, truth,
+                     explain_command(refuted.file, refuted.kind(), refuted.query, refuted.separation),
+                     turns_argument(turns), decimals == io::Decimals::nearest_double ? " --as-doubles" : "");
 }
 
 }  // namespace touchstone::cli

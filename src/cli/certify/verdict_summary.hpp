@@ -6,6 +6,7 @@
 
 #include "certify/tally.hpp"
 #include "io/queries/curved_rows.hpp"
+#include "io/queries/decimal_rows.hpp"
 
 namespace touchstone::cli {
 
@@ -13,7 +14,7 @@ namespace touchstone::cli {
 std::string verdicts_for_person(const certify::VerdictCounts& verdicts);
 std::string early_for_person(const certify::EarlyTally& early);  ///< empty when no claim had a toi
 
-/// One refuted claim and the command that explains its query. @param turns  with which it was judged
-std::string refuted_for_person(const certify::RefutedClaim& refuted, io::Turns turns);
+/// One refuted claim and the command that explains its query. @param turns, decimals  with which it was judged
+std::string refuted_for_person(const certify::RefutedClaim& refuted, io::Turns turns, io::Decimals decimals);
 
 }  // namespace touchstone::cli

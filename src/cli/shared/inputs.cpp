@@ -43,8 +43,12 @@ io::InputFile Input::open() const {
 std::string without_dash(const std::string& name) { return name == "-" ? "/dev/stdin" : name; }
 
 void refuse_decimals(const io::QueryChunk& chunk) {
-  if (chunk.format == io::RowFormat::fractions) return;
-  io::fail(*chunk.file, "has decimals; a proof is about fractions, which touchstone convert makes of them");
+  if (chunk.format != io::RowFormat::fractions) {
+    io::fail(*chunk.file, "has decimals; a proof is about fractions, which touchstone convert makes of them");
+  }
+  if (chunk.names_row != 0) {
+    io::fail(*chunk.file, chunk.names_row, "names columns, which touchstone-check does not read; take the line away");
+  }
 }
 
 std::vector<Input> find_inputs(const std::vector<std::string>& names, std::optional<Kind> kind, io::Decimals decimals) {

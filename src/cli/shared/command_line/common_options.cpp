@@ -16,6 +16,7 @@
 #include "cli/shared/command_line/kind_check.hpp"
 #include "cli/shared/command_line/turns.hpp"
 #include "cli/shared/words.hpp"
+#include "geometry/kind_aliases.hpp"
 #include "io/fail.hpp"
 #include "io/queries/kind_of_file.hpp"
 
@@ -40,7 +41,7 @@ CLI::Validator kind_check() {
   }
   return CLI::Validator(
       [](const std::string& name) {
-        return from_name<Kind>(name) ? std::string() : name + " is no kind; it must be " + io::kind_names();
+        return geometry::kind_named(name) ? std::string() : name + " is no kind; it must be " + io::kind_names();
       },
       names + "}");
 }
@@ -48,7 +49,7 @@ CLI::Validator kind_check() {
 void add_kind_option(CLI::App& subcommand, std::optional<Kind>& kind) {
   subcommand
       .add_option_function<std::string>(
-          "--kind", [&kind](const std::string& name) { kind = from_name<Kind>(name); },
+          "--kind", [&kind](const std::string& name) { kind = geometry::kind_named(name); },
           "The kind of the files' queries: " + io::kind_names() +
               " (default: that of a binary file, or else the name of each file's folder, or of a file such as "
               "227ee.csv)")
@@ -97,7 +98,8 @@ void add_query_options(CLI::App& subcommand, QueryOptions& options) {
 
 void refuse_to_overwrite(const std::string& output, const std::vector<std::string>& inputs, const std::string& advice) {
   if (output.empty() || output == "-") return;
-  for (const auto& input : inputs) {
+  for (const auto& named : inputs) {
+    const std::string input = named == "-" ? "/dev/stdin" : named;
     std::error_code ignored;  // a missing file cannot be overwritten
     if (std::filesystem::is_regular_file(output, ignored) && std::filesystem::equivalent(output, input, ignored)) {
       const std::string reason = "is also an input; writing there would destroy it";

@@ -17,10 +17,6 @@
 namespace touchstone::io {
 namespace {
 
-/// The other columns of answers.csv.
-constexpr std::array<std::string_view, 7> kDescriptions = {"toi_upper", "nature",        "feature_a", "feature_b",
-                                                           "level",     "starts_within", "trend"};
-
 std::string count(std::size_t number, std::string_view thing) {
   return std::to_string(number) + " " + std::string(thing) + (number == 1 ? "" : "s");
 }
@@ -125,8 +121,7 @@ void AnswerReader::read_header(const ClaimColumns& columns) {
   ClaimColumns named;
   for (const std::string_view text : fields_) {
     const auto column = claim_column(text);
-    const bool is_known = std::find(kDescriptions.begin(), kDescriptions.end(), text) != kDescriptions.end();
-    if (!column && !is_known) unread_columns_.emplace_back(text);
+    if (!column && !is_description(text)) unread_columns_.emplace_back(text);
     if (column && std::count(named.begin(), named.end(), *column) != 0) {
       refuse("two columns are a " + in_quotes(claim_column_name(*column)) + "; --columns says which one is read");
     }
@@ -152,7 +147,10 @@ void AnswerReader::take(const ClaimColumns& columns) {
 /// Whether the first line is no header: each of its fields is a number, yes or no, or empty.
 bool AnswerReader::is_row_of_values() const {
   return std::all_of(fields_.begin(), fields_.end(), [](std::string_view text) {
-    return text.empty() || parse_truth(text) || parse_rounded_double(text) || text == "inf" || text == "nan";
+    if (text.empty() || parse_truth(text) || parse_rounded_double(text)) return true;
+    std::string lower = in_lower_case(text);
+    if (lower.starts_with('-') || lower.starts_with('+')) lower.erase(0, 1);
+    return lower == "inf" || lower == "infinity" || lower == "nan";
   });
 }
 

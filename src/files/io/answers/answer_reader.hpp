@@ -48,8 +48,6 @@ class AnswerReader {
 
   const std::string& name() const noexcept { return file_.name(); }
 
-  /// Whether the rows claim times.
-  bool has_times() const noexcept { return has(ClaimColumn::toi); }
   /// The names of columns that are not read and that answers.csv has not either.
   const std::vector<std::string>& unread_columns() const noexcept { return unread_columns_; }
 

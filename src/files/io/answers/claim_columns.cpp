@@ -15,11 +15,17 @@ namespace {
 constexpr std::array<std::array<std::string_view, 9>, kClaimColumns> kColumnNames = {{
     {"file", "filename"},
     {"query", "id", "index", "query_id", "query_index"},
-    {"contact", "hit", "collision", "collides", "collided", "colliding", "is_colliding", "result", "truth"},
+    {"contact", "hit", "collision", "collides", "collided", "colliding", "is_colliding", "result"},
     {"toi", "time", "t", "time_of_impact", "toc", "time_of_contact"},
-    {"separation", "min_distance", "min_separation"},
+    {"separation"},
     {"metric"},
 }};
+
+/// The other columns of answers.csv.
+constexpr std::array<std::string_view, 7> kDescriptions = {"toi_upper", "nature",        "feature_a", "feature_b",
+                                                           "level",     "starts_within", "trend"};
+
+}  // namespace
 
 std::string in_lower_case(std::string_view text) {
   std::string lower(text);
@@ -27,7 +33,9 @@ std::string in_lower_case(std::string_view text) {
   return lower;
 }
 
-}  // namespace
+bool is_description(std::string_view name) {
+  return std::find(kDescriptions.begin(), kDescriptions.end(), name) != kDescriptions.end();
+}
 
 std::optional<ClaimColumn> claim_column(std::string_view name) {
   std::string lower = in_lower_case(without_blanks(name));
@@ -67,9 +75,9 @@ ClaimColumns parse_claim_columns(std::string_view text) {
     columns.push_back(*column);
     at = end + 1;
   }
-  if (std::count(columns.begin(), columns.end(), ClaimColumn::contact) == 0) {
-    throw Error("no column says whether there is contact; its name is contact");
-  }
+  const auto has = [&](ClaimColumn column) { return std::count(columns.begin(), columns.end(), column) != 0; };
+  if (!has(ClaimColumn::contact)) throw Error("no column says whether there is contact; its name is contact");
+  if (has(ClaimColumn::metric) && !has(ClaimColumn::separation)) throw Error("the column metric needs separation");
   return columns;
 }
 

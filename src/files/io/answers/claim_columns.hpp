@@ -23,6 +23,9 @@ using ClaimColumns = std::vector<ClaimColumn>;
 /// The column of a name in any case: "query", "id" and so on. Nothing for any other name.
 std::optional<ClaimColumn> claim_column(std::string_view name);
 
+/// Whether a column of this name describes a contact in answers.csv, and claims nothing: "nature", "level" and so on.
+bool is_description(std::string_view name);
+
 /// The first name of a column: "query".
 std::string_view claim_column_name(ClaimColumn column);
 
@@ -32,6 +35,9 @@ std::string claim_column_names();
 /// Reads "id,hit,-,toi": names as above, and - for a column that is not read.
 /// @throws Error  for any other name, a name that is there twice, and without a column of contact
 ClaimColumns parse_claim_columns(std::string_view text);
+
+/// In lower case: ASCII alone.
+std::string in_lower_case(std::string_view text);
 
 /// Yes or no as solvers write it: 0 or 1, also as 0.0 and 1.0; true or false, yes or no, in any case.
 std::optional<bool> parse_truth(std::string_view text);

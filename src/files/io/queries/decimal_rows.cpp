@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "io/answers/claim_columns.hpp"
 #include "io/characters.hpp"
 #include "io/fail.hpp"
 #include "io/queries/query_writer.hpp"
@@ -51,12 +52,43 @@ std::optional<RowFormat> format_of_row(std::string_view row, Kind kind) {
 
 bool names_columns(std::string_view row) {
   const auto is_word = [](std::string_view text) {
-    const char first = text.empty() ? '\0' : text.front();
-    const bool is_letter = (first >= 'a' && first <= 'z') || (first >= 'A' && first <= 'Z') || first == '_';
-    return is_letter && text != "nan" && text != "NaN" && text != "inf" && text != "Infinity";
+    const std::string lower = in_lower_case(text);
+    const bool is_letter = !lower.empty() && ((lower[0] >= 'a' && lower[0] <= 'z') || lower[0] == '_');
+    for (const char* const number : {"nan", "inf", "infinity", "none", "null", "na"}) {
+      if (lower == number) return false;
+    }
+    return is_letter;
   };
   const auto fields = fields_of(row);
   return std::all_of(fields.begin(), fields.end(), is_word);
+}
+
+std::string fault_of_names(std::string_view names, std::string_view row, Kind kind) {
+  const auto words = fields_of(names);
+  const std::size_t columns = fields_of(row).size();
+  if (words.size() != columns) {
+    return "the line names " + columns_text(words.size()) + ", and the first row has " + std::to_string(columns);
+  }
+  const RowFormat format = format_of_row(row, kind).value_or(RowFormat::fractions);
+  const bool truth_is_last = format == RowFormat::fractions ? columns == 7 : has_truth(row, kind, format);
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    const std::string word = in_lower_case(words[i]);
+    const bool is_truth = word == "truth" || claim_column(word) == ClaimColumn::contact;
+    if (is_truth != (truth_is_last && i + 1 == words.size())) {
+      return "column " + std::to_string(i + 1) + " is called " + in_quotes(words[i]) +
+             (is_truth ? "; the truth stands last, behind the coordinates"
+                       : "; the last of so many columns is truth, 0 or 1: only coordinates stand before it");
+    }
+    const bool is_axis = word[0] == 'x' || word[0] == 'y' || word[0] == 'z';
+    if (format == RowFormat::corners && !is_truth && (claim_column(word) || (is_axis && word[0] != "xyz"[i]))) {
+      return "column " + std::to_string(i + 1) + " is called " + in_quotes(words[i]) + "; the columns are x, y and z";
+    }
+  }
+  return {};
+}
+
+bool has_truth(std::string_view row, Kind kind, RowFormat format) {
+  return fields_of(row).size() == numbers_per_row(kind, format) + 1;
 }
 
 std::size_t rows_per_query(Kind kind, RowFormat format) noexcept {
@@ -71,14 +103,14 @@ std::string fault_of_columns(std::string_view row, Kind kind) {
          std::string(name_of(kind)) + " query, with " + std::to_string(whole) + " decimals, and truth or not";
 }
 
-std::string read_decimals(std::string_view line, Kind kind, RowFormat format, Decimals decimals,
+std::string read_decimals(std::string_view line, Kind kind, RowFormat format, bool has_truth, Decimals decimals,
                           std::vector<Fraction>& numbers, std::optional<bool>& truth) {
   if (line.find('\0') != std::string_view::npos) return "a zero byte; this is no text file";
   const auto fields = fields_of(line);
   const std::size_t count = numbers_per_row(kind, format);
-  if (fields.size() != count && fields.size() != count + 1) {
+  if (fields.size() != count + (has_truth ? 1 : 0)) {
     return columns_text(fields.size()) + "; the first row has " + std::to_string(count) + " decimals" +
-           (format == RowFormat::corners ? ", x,y,z" : "") + ", and truth or not";
+           (format == RowFormat::corners ? ", x,y,z" : "") + (has_truth ? " and truth" : " and no truth");
   }
   for (std::size_t i = 0; i < count; ++i) {
     const std::string_view field = fields[i];
@@ -87,7 +119,8 @@ std::string read_decimals(std::string_view line, Kind kind, RowFormat format, De
     };
     std::string_view plain = field;
     if (plain.starts_with('+')) plain.remove_prefix(1);
-    const auto nearest = parse_rounded_double(plain);
+    const bool has_two_signs = plain.size() < field.size() && plain.starts_with('-');
+    const auto nearest = has_two_signs ? std::nullopt : parse_rounded_double(plain);
     if (!nearest) return fault("it must be a number such as -0.25, 1e-3 or 0x1p-2");
     if (decimals == Decimals::nearest_double) {
       if (std::isinf(*nearest)) return fault("it is beyond the greatest double");

@@ -32,6 +32,10 @@ std::optional<RowFormat> format_of_row(std::string_view row, Kind kind);
 /// Whether a row names columns: each of its fields is a word.
 bool names_columns(std::string_view row);
 
+/// Why the names of a line before the first row contradict that row, or an empty text. As many names as columns, x, y
+/// and z in their order, and a truth, and no number of the query, in the last column that the format has room for.
+std::string fault_of_names(std::string_view names, std::string_view row, Kind kind);
+
 /// The rows of a query.
 std::size_t rows_per_query(Kind kind, RowFormat format) noexcept;
 
@@ -39,9 +43,13 @@ std::size_t rows_per_query(Kind kind, RowFormat format) noexcept;
 std::string fault_of_columns(std::string_view row, Kind kind);
 
 /// Appends the numbers of a row as fractions, and reads its truth.
-/// @param line  without '\n'
+/// @param line       without '\n'
+/// @param has_truth  whether the file's first row has one
 /// @returns why the row is wrong, or an empty text
-std::string read_decimals(std::string_view line, Kind kind, RowFormat format, Decimals decimals,
+std::string read_decimals(std::string_view line, Kind kind, RowFormat format, bool has_truth, Decimals decimals,
                           std::vector<Fraction>& numbers, std::optional<bool>& truth);
+
+/// Whether a row of decimals has a truth.
+bool has_truth(std::string_view row, Kind kind, RowFormat format);
 
 }  // namespace touchstone::io

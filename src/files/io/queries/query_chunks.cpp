@@ -116,7 +116,11 @@ bool QueryChunkReader::scan_first_row(std::string_view row) {
   first_row_found_ = true;
   if (!announces_curved_queries(row)) {
     format_ = format_of_row(row, kind_).value_or(RowFormat::fractions);  // of another one the parser tells
-    return true;
+    has_truth_ = format_ != RowFormat::fractions && has_truth(row, kind_, format_);
+    if (names_row_ != 0 && format_of_row(row, kind_)) {
+      if (std::string fault = fault_of_names(names_, row, kind_); !fault.empty()) refuse(names_row_, std::move(fault));
+    }
+    return error_.empty();
   }
   header_row_ = first_row_ + lines_;
   std::string fault = fault_of_curved_header(row);
@@ -152,6 +156,7 @@ bool QueryChunkReader::scan_line(std::size_t end) {
   bool row = is_row(line);
   if (row && !first_row_found_ && names_row_ == 0 && names_columns(line) && !announces_curved_queries(line)) {
     names_row_ = first_row_ + lines_;
+    names_ = line;
     row = false;
   } else if (row && !first_row_found_) {
     if (!scan_first_row(line)) return false;
@@ -163,6 +168,10 @@ bool QueryChunkReader::scan_line(std::size_t end) {
       return false;
     }
     if (rows_ > 0 && starts_curved_query(line)) complete_query();
+  }
+  if (row && format_ != RowFormat::fractions && end == buffer_.size()) {  // half a decimal is a decimal
+    refuse(first_row_ + lines_, "the last row does not end with an end of line, so that the file may be cut off here");
+    return false;
   }
   if (!row && line.find('\0') != std::string_view::npos) {
     refuse(first_row_ + lines_, "a zero byte; this is no text file");
@@ -192,6 +201,7 @@ QueryChunk QueryChunkReader::take(std::size_t size, std::size_t lines, std::size
   chunk.header_row = header_row_;
   chunk.names_row = names_row_;
   chunk.format = format_;
+  chunk.has_truth = has_truth_;
   chunk.decimals = decimals_;
 
   std::string rest;

@@ -46,6 +46,7 @@ struct QueryChunk {
   std::uint64_t header_row = 0;  ///< in a file of curved queries the line of its first row, which is no query's; else 0
   std::uint64_t names_row = 0;   ///< the line that names the columns, which is no query's; else 0
   RowFormat format = RowFormat::fractions;
+  bool has_truth = false;  ///< of decimals: whether the first row has one
   Decimals decimals = Decimals::exact;
 
   std::shared_ptr<const QueryArray> array;  ///< of a file of doubles; then there is no text
@@ -98,6 +99,8 @@ class QueryChunkReader {
   bool first_row_found_ = false;
   std::uint64_t header_row_ = 0, names_row_ = 0;  ///< as in the chunks
   RowFormat format_ = RowFormat::fractions;
+  bool has_truth_ = false;
+  std::string names_;  ///< the line that names the columns, until the first row
   bool at_end_ = false;
   bool started_ = false;
   std::shared_ptr<const QueryArray> array_;

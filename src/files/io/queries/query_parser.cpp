@@ -128,7 +128,8 @@ bool QueryParser::next_of_decimals(QueryRecord& record) {
     if (at_ == end_) refuse_truncated(row);
     const std::string_view line = line_at(at_);
     std::optional<bool> truth;
-    const std::string fault = read_decimals(line, chunk_.kind, chunk_.format, chunk_.decimals, numbers, truth);
+    const std::string fault =
+        read_decimals(line, chunk_.kind, chunk_.format, chunk_.has_truth, chunk_.decimals, numbers, truth);
     if (!fault.empty()) fail(*chunk_.file, row_, fault);
     check_truth(record, row, truth);
     record.last_row = row_;

@@ -35,7 +35,7 @@ std::optional<Separation> separation_of_comments(std::string_view text) {
   while (!text.empty()) {
     const std::size_t end = std::min(text.find('\n'), text.size());
     std::string_view line = text.substr(0, end);
-    if (is_row(line) && !announces_curved_queries(line)) return std::nullopt;
+    if (is_row(line) && !announces_curved_queries(line) && !names_columns(line)) return std::nullopt;
     if (line.ends_with('\r')) line.remove_suffix(1);
     if (line.starts_with(kComment)) {
       if (const auto separation = read_separation(line.substr(kComment.size()))) return separation;
