@@ -126,4 +126,6 @@ TEST_CASE("faults of decimals are named with what would be right") {
   CHECK(error("1,2,1e400\n", io::Decimals::nearest_double) == ":1: z is '1e400'; it is beyond the greatest double");
   CHECK(error("x,y,z\nx,y,z\n1,2,3\n").starts_with(":2: x is 'x'; it must be a number"));
   CHECK(error("x,y,z\n").starts_with(": holds no query"));
+  CHECK(error("a\ntouchstone-curved,1\nquery,1\n") ==
+        ":1: a line of words stands before the row touchstone-curved,1, which must be the first");
 }

@@ -122,6 +122,10 @@ bool QueryChunkReader::scan_first_row(std::string_view row) {
     }
     return error_.empty();
   }
+  if (names_row_ != 0) {
+    refuse(names_row_, "a line of words stands before the row touchstone-curved,1, which must be the first");
+    return false;
+  }
   header_row_ = first_row_ + lines_;
   std::string fault = fault_of_curved_header(row);
   if (fault.empty() && motions_ == Motions::straight) {
