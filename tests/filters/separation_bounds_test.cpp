@@ -415,6 +415,32 @@ TEST_CASE("the closest points soon after a time are within their bounds", "[sepa
   }
 }
 
+TEST_CASE("corners are certainly the closest points only where no other point is as near", "[separation]") {
+  std::size_t certain = 0, uncertain = 0;
+  const auto search = searched(102, 1, 6000, frame_in_range, [&](const FrameCase& s, const std::vector<double>& x) {
+    const filters::Step step(s.query);
+    const double t = share(x[24]);
+    const filters::PreciseStep precise(s.query);
+    const ExactPlace exact(s.query, t);
+    for (const filters::Parameters p : {filters::Parameters{0, 0}, {0, 1}, {1, 0}, {1, 1}}) {
+      const filters::PreciseClosest found = filters::precise_closest(step, precise, step.size, t, p);
+      if (!found.ok || !filters::ClosestNear(step, found, 0).certain()) {
+        ++uncertain;
+        continue;
+      }
+      ++certain;
+      ExactVector c;
+      for (std::size_t k = 0; k < 3; ++k) c[k] = exact.r[k] - Exact(p.s) * exact.u[k] - Exact(p.q) * exact.w[k];
+      // |c - x u| and |c - y w| grow on the way into the elements.
+      if (dot(c, exact.u).sign() * (2 * p.s - 1) <= 0 || dot(c, exact.w).sign() * (2 * p.q - 1) <= 0) return 2.0;
+    }
+    return 0.0;
+  });
+  CHECK(search.worst == 0);
+  CHECK(certain > 1000);
+  CHECK(uncertain > 1000);
+}
+
 TEST_CASE("directions keep their hands off squares that underflow", "[separation]") {
   // Edges that cross at a distance of 2^100, and a direction between them whose squared length is no double.
   const double apart = 0x1p100, tiny = 0x1p-545;

@@ -292,7 +292,7 @@ void add_certify(CLI::App& program, Command& command) {
   subcommand
       ->add_option("--claims", options->claims,
                    "The claims to judge, one a query in the order of the queries: CSV with the columns contact and, "
-                   "if they like, query, toi and file; or JSON, lines of JSON, .npy or .npz (default: the truth "
+                   "perhaps, query, toi and file; or JSON, lines of JSON, .npy or .npz (default: the truth "
                    "column of the query files)")
       ->type_name("FILE");
   subcommand

@@ -7,6 +7,7 @@
 
 #include "cli/queries/bundled.hpp"
 #include "cli/shared/progress/interrupt.hpp"
+#include "cli/shared/words.hpp"
 #include "io/fail.hpp"
 #include "io/queries/curved_rows.hpp"
 #include "io/queries/kind_of_file.hpp"
@@ -39,8 +40,6 @@ const BundledFile* find_bundled(const std::string& name) {
 io::InputFile Input::open() const {
   return bundled ? io::InputFile::from_memory(name, content) : io::InputFile::open(name, throw_if_interrupted);
 }
-
-std::string without_dash(const std::string& name) { return name == "-" ? "/dev/stdin" : name; }
 
 void refuse_decimals(const io::QueryChunk& chunk) {
   if (chunk.format != io::RowFormat::fractions) {

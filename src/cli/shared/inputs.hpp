@@ -30,9 +30,6 @@ struct Input {
   io::InputFile open() const;
 };
 
-/// The name of a file from the command line, where - stands for standard input.
-std::string without_dash(const std::string& name);
-
 /// The files of these names. Each is checked to exist; a name that is no file may be the name of a bundled file.
 /// @param kind  the kind of their queries; by default a file of doubles states it, and else a file's folder names it
 /// @param decimals  what decimals stand for that are no doubles

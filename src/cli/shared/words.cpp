@@ -63,4 +63,6 @@ std::string explain_command(const std::string& file, Kind kind, std::uint64_t qu
   return fmt::format("touchstone explain{} --query {}{} {}", options, query, end_of_options, shell_word(file));
 }
 
+std::string without_dash(const std::string& name) { return name == "-" ? "/dev/stdin" : name; }
+
 }  // namespace touchstone::cli

@@ -42,4 +42,7 @@ std::string shell_word(const std::string& word);
 std::string explain_command(const std::string& file, Kind kind, std::uint64_t query, const Separation& separation = {},
                             double t_max = 1);
 
+/// The name of a file to read, as the command line has it, where - stands for standard input.
+std::string without_dash(const std::string& name);
+
 }  // namespace touchstone::cli

@@ -99,7 +99,7 @@ void add_query_options(CLI::App& subcommand, QueryOptions& options) {
 void refuse_to_overwrite(const std::string& output, const std::vector<std::string>& inputs, const std::string& advice) {
   if (output.empty() || output == "-") return;
   for (const auto& named : inputs) {
-    const std::string input = named == "-" ? "/dev/stdin" : named;
+    const std::string input = without_dash(named);
     std::error_code ignored;  // a missing file cannot be overwritten
     if (std::filesystem::is_regular_file(output, ignored) && std::filesystem::equivalent(output, input, ignored)) {
       const std::string reason = "is also an input; writing there would destroy it";

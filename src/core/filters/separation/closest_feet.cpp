@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "filters/separation/closest_feet.hpp"
 
-#include <array>
 #include <cmath>
 #include <cstddef>
 

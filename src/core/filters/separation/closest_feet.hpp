@@ -3,9 +3,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <algorithm>
-#include <cmath>
-
 #include <touchstone/separation.hpp>
 
 #include "filters/question.hpp"
