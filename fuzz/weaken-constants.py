@@ -176,8 +176,6 @@ FAULTS = [
 # Without a line below, as no search comes near them: they leave more room than a sixteenth of them takes up.
 # - kLeastFraction: the squares of c's errors would count from 2^-100 on; the factor of `lowest`: for 2^-32 of a number
 #   that is itself about the error;
-# - that entry.cpp asks for the conditions of entries (other points in the metric max, the distance before): the
-#   tests find these, but only after 50 s of processor time, which is more than a search has here;
 # - roundings of the vectors in closest_near.hpp, and what the corrections change: a few e, or much less, among many;
 #   kMostError there: corrections are far better known than it asks for;
 # - kSmall of a facet's normal: normals are far better than it asks for;
@@ -221,6 +219,12 @@ SEPARATION_FAULTS = [
     ("underflow guard of a direction's norm", "filters/separation/entry_walk.hpp",
      " || largest_of(n) >= 0.5 * kLeastFraction * step.size;", " || true;"),
     ("other points", "filters/separation/closest_near.hpp", "&& others_are_farther(whole, a, b)", ""),
+    ("other points in the metric max", "filters/separation/entry.cpp",
+     "if (!certainly_closest(feet)) return Outcome::uncertain;", ""),
+    ("other points in the metric max at the start", "filters/separation/closest_feet.hpp",
+     "if (!certainly_closest(closest)) return Outcome::uncertain;", ""),
+    ("the distance's sign before an entry", "filters/separation/entry.cpp",
+     "if (excess.sign() <= 0) return Outcome::uncertain;", ""),
     ("underflow guard of a direction's square", "filters/apart/separating_direction.cpp",
      "if (!(square >= kLeastSquare)) return false;", ""),
 ]
@@ -453,6 +457,7 @@ def attacks(build, layer, seconds, jobs, quick, file=None):
         fuzz += ["--separation", "each"]
         # The long tests of that folder compare what the fuzzer compares.
         searches = [tests("filters", 0.3, "[separation]"),
+                    tests("separation", 0.2, "entries at*"),
                     tests("separation", 0.2, "*entries near*,patches*,* distance *,distances *")]
     elif layer == "exact":
         searches = [tests("exact", 0.5, "the near rungs*,the exact level*,V at a time*")]

@@ -36,15 +36,21 @@ enum class Difficulty : std::uint8_t {
   extreme,     ///< coordinates near the limits of the filter's range, far offsets
   rigid,       ///< a motion of both that roundings alone make one of the elements to each other
   hovering,    ///< a distance that hardly changes, hardly more than the separation
-  lattice      ///< small integers
+  lattice,     ///< small integers
+  turning,     ///< a separation that is the distance's least value, or hardly less
+  tied,        ///< small integers, and a start within the separation
+  exact        ///< an entry at a double, of coordinates whose products fill more than two doubles
 };
 inline constexpr std::array<Difficulty, 15> kDifficulties = {
     Difficulty::lattice,   Difficulty::plain,  Difficulty::border,  Difficulty::multiplier, Difficulty::small_gap,
     Difficulty::large_gap, Difficulty::needle, Difficulty::slow,    Difficulty::violent,    Difficulty::early,
     Difficulty::late,      Difficulty::within, Difficulty::extreme, Difficulty::rigid,      Difficulty::hovering};
-inline constexpr std::array<const char*, 15> kDifficultyNames = {
-    "lattice", "plain", "border", "multiplier", "small gap", "large gap", "needle",  "slow",
-    "violent", "early", "late",   "within",     "extreme",   "rigid",     "hovering"};
+/// At these an entry's conditions fail, rather than its bounds.
+inline constexpr std::array<Difficulty, 3> kFailingConditions = {Difficulty::exact, Difficulty::tied,
+                                                                 Difficulty::turning};
+inline constexpr std::array<const char*, 18> kDifficultyNames = {
+    "plain", "border", "multiplier", "small gap", "large gap", "needle",  "slow",    "violent", "early",
+    "late",  "within", "extreme",    "rigid",     "hovering",  "lattice", "turning", "tied",    "exact"};
 
 namespace entry_cases {
 
@@ -122,12 +128,68 @@ inline double nudged(double x, int steps) {
   return x;
 }
 
+/// The least distance near the best of some times.
+inline double least_distance(const Query& query, Metric metric) {
+  constexpr int kTimes = 16, kSteps = 50;
+  const auto at = [&](double t) { return distance(query, t, metric).value; };
+  int best = 0;
+  for (int i = 1; i <= kTimes; ++i) best = at(i / double{kTimes}) < at(best / double{kTimes}) ? i : best;
+  double low = std::max(best - 1, 0) / double{kTimes}, high = std::min(best + 1, kTimes) / double{kTimes};
+  for (int i = 0; i < kSteps; ++i) {
+    const double third = (high - low) / 3;
+    (at(low + third) < at(high - third) ? high : low) += at(low + third) < at(high - third) ? -third : third;
+  }
+  return at(0.5 * (low + high));
+}
+
+/// Elements whose closest points are exactly as far apart as the separation at a double. All coordinates are multiples
+/// of 2^-44.
+inline EntryCase exact_entry(Kind kind, Metric metric, Rng& rng) {
+  const auto on_grid = [](const Vec3& v) {
+    const auto put = [](double x) { return std::ldexp(std::rint(std::ldexp(x, 40)), -40); };
+    return Vec3{put(v.x), put(v.y), put(v.z)};
+  };
+  const std::size_t corners = corner_count(kind), first = kind == Kind::edge_edge ? 2 : 1;
+  EntryCase result;
+  result.t_max = 1;
+  result.query.kind = kind;
+  result.separation = {on_grid({rng.unit(), 0, 0}).x, metric};
+  const double d = result.separation.distance;
+  Vec3 c = {d, d, d};
+  if (metric == Metric::euclidean) c = {0.75 * d, 0, 0}, result.separation.distance *= 1.25, c.y = d;
+  // The elements' edges lead away from c, or along it.
+  std::array<Vec3, 4> at{}, velocity{};
+  const auto edge = [&] { return on_grid(sum(random_vector(rng), c, -dot(random_vector(rng), c))); };
+  const auto put = [&](std::size_t begin, std::size_t end, const Vec3& foot) {
+    const Vec3 u = edge(), w = edge();
+    if (end - begin == 1) at[begin] = foot;
+    if (end - begin == 2) at[begin] = sum(foot, u, -0.25), at[begin + 1] = sum(foot, u, 0.75);
+    if (end - begin != 3) return;
+    at[begin] = sum(sum(foot, u, -0.25), w, -0.5);
+    at[begin + 1] = sum(at[begin], u, 1);
+    at[begin + 2] = sum(at[begin], w, 1);
+  };
+  put(0, first, c);
+  put(first, corners, {0, 0, 0});
+  const double t = std::ldexp(rng.between(1, 7), -3);
+  for (std::size_t i = 0; i < corners; ++i) {
+    const Vec3 way = {std::ldexp(rng.between(-7, 7), -3), std::ldexp(rng.between(-7, 7), -3), 0.5};
+    velocity[i] = rng.one_in(2) ? way : Vec3{0, 0, 0};
+    if (i < first) velocity[i] = sum(velocity[i], {1, 1, 1}, -2);
+    result.query.start[i] = sum(at[i], velocity[i], -t);
+    result.query.end[i] = sum(at[i], velocity[i], 1 - t);
+  }
+  return result;
+}
+
 }  // namespace entry_cases
 
 /// A query whose closest points at some time are chosen first, and a separation near their distance. In the
 /// largest-axis metric other points may be closest.
 inline EntryCase make_entry(Kind kind, Difficulty difficulty, Metric metric, Rng& rng) {
   namespace ec = entry_cases;
+  if (difficulty == Difficulty::exact) return ec::exact_entry(kind, metric, rng);
+  const bool tied = difficulty == Difficulty::tied;
   EntryCase result;
   result.t_max = rng.one_in(4) ? rng.unit() : 1;
   Query& query = result.query;
@@ -174,12 +236,12 @@ inline EntryCase make_entry(Kind kind, Difficulty difficulty, Metric metric, Rng
     query.start[i] = ec::sum(at[i], velocity[i], -t);
     query.end[i] = ec::sum(at[i], velocity[i], 1 - t);
   }
-  const bool grid = difficulty == Difficulty::lattice || rng.one_in(10);
+  const bool grid = difficulty == Difficulty::lattice || tied || rng.one_in(10);
   int exponent = 0;
   if (difficulty == Difficulty::extreme) {
     exponent = rng.one_in(3) ? rng.between(-153, -140) : rng.one_in(2) ? rng.between(105, 152) : rng.between(-30, 30);
   }
-  const int bits = difficulty == Difficulty::lattice ? rng.between(1, 4) : 12;
+  const int bits = difficulty == Difficulty::lattice ? rng.between(1, 4) : tied ? rng.between(0, 2) : 12;
   const auto put = [&](double x) {
     return std::ldexp(grid ? std::ldexp(std::rint(std::ldexp(x, bits)), -bits) : x, exponent);
   };
@@ -197,6 +259,16 @@ inline EntryCase make_entry(Kind kind, Difficulty difficulty, Metric metric, Rng
         std::min(distance(query, 0, separation.metric).value, distance(query, 1, separation.metric).value);
     separation.distance =
         rng.one_in(3) ? ec::nudged(least, -rng.between(0, 40)) : least * (1 - ec::power(rng, -54, -40));
+    return result;
+  }
+  if (difficulty == Difficulty::turning) {
+    const double least = ec::least_distance(query, metric);
+    separation.distance =
+        rng.one_in(2) ? ec::nudged(least, rng.between(-20, 1)) : least * (1 - ec::power(rng, -50, -30));
+    return result;
+  }
+  if (tied) {
+    separation.distance = distance(query, 0, metric).value + std::ldexp(rng.between(1, 8), -2);
     return result;
   }
   if (rigid && rng.one_in(4)) query.end = query.start;
