@@ -12,7 +12,6 @@
 #include <vector>
 
 #include "exact/distance_level.hpp"
-#include "exact/lazy.hpp"
 #include "exact/off_the_stack.hpp"
 #include "geometry/frame.hpp"
 #include "geometry/kind_traits.hpp"
@@ -184,16 +183,25 @@ class MaxLevel final : public DistanceLevel {
   /// The index of a pair i < j among all pairs: those with a smaller j come before it.
   static constexpr std::size_t index_of(std::size_t i, std::size_t j) { return i + j * (j - 1) / 2; }
 
+  /// A polynomial that is made when it is first asked for, in memory of its own: all of them would fill 150 kilobytes,
+  /// and most are never asked for.
+  using Kept = std::unique_ptr<const Form>;
+  template <class Make>
+  static const Form& kept(Kept& form, const Make& make) {
+    if (!form) form = std::make_unique<const Form>(make());
+    return *form;
+  }
+
   /// The determinant of the rows (s, t) of two half-planes, or (s, t, constant) of three, i < j < k. Both are kept: the
   /// same ones are asked for at many times.
   const Form& determinant(std::size_t i, std::size_t j) const {
-    return pairs_[index_of(i, j)].value_or_make([&] {
+    return kept(pairs_[index_of(i, j)], [&] {
       const HalfPlane &a = half_planes_[i], &b = half_planes_[j];
       return a.s * b.t - b.s * a.t;
     });
   }
   const Form& determinant(std::size_t i, std::size_t j, std::size_t k) const {
-    return triples_[index_of(i, j) + k * (k - 1) * (k - 2) / 6].value_or_make([&] {
+    return kept(triples_[index_of(i, j) + k * (k - 1) * (k - 2) / 6], [&] {
       const HalfPlane &a = half_planes_[i], &b = half_planes_[j], &c = half_planes_[k];
       return a.constant * determinant(j, k) - b.constant * determinant(i, k) + c.constant * determinant(i, j);
     });
@@ -390,8 +398,8 @@ class MaxLevel final : public DistanceLevel {
   mutable Exact rest_time_;
   std::array<HalfPlane, kMost> half_planes_;
   std::size_t count_ = 0;
-  mutable std::array<Lazy<Form>, kMost*(kMost - 1) / 2> pairs_;
-  mutable std::array<Lazy<Form>, kMost*(kMost - 1) * (kMost - 2) / 6> triples_;
+  mutable std::array<Kept, kMost*(kMost - 1) / 2> pairs_;
+  mutable std::array<Kept, kMost*(kMost - 1) * (kMost - 2) / 6> triples_;
 };
 
 }  // namespace
