@@ -200,6 +200,8 @@ SEPARATION_FAULTS = [
      "kLargestGap = 0x1p-16"),
     ("kLargestError of a distance", "filters/separation/distance_bound.cpp", "kLargestError = 0x1p-24",
      "kLargestError = 0x1p-18"),
+    ("features of a distance in double-doubles", "filters/separation/precise_distance.cpp",
+     "is_certain_ = certainly_closest(", "is_certain_ = true || certainly_closest("),
     ("the root of 3 in the metric max", "filters/separation/distance_bound.cpp", "kAboveRoot3 : 1", "1 : 1"),
     ("both ends of a least distance", "filters/separation/distance_bound.cpp", "std::min(start.along(n), end.along(n))",
      "start.along(n)"),

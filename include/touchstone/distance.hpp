@@ -9,7 +9,8 @@
 namespace touchstone {
 inline namespace TOUCHSTONE_ABI {
 
-/// The distance of the two elements of a query at the time t, by exact arithmetic.
+/// The distance of the two elements of a query at the time t: double-doubles tell it where they can prove which double is
+/// nearest, and exact arithmetic elsewhere.
 /// @param query   the two elements and their motion; for elements at rest give the same corners at both ends
 /// @param t       the time, 0 <= t <= 1
 /// @param metric  how a distance is measured

@@ -10,6 +10,7 @@
 #include <touchstone/error.hpp>
 
 #include "filters/separation/distance_bound.hpp"
+#include "filters/separation/precise_distance.hpp"
 #include "seeded/rng.hpp"
 #include "support/catch.hpp"
 #include "support/exact_comparison.hpp"
@@ -17,6 +18,7 @@
 
 using namespace touchstone;
 using touchstone::tests::effort;
+using touchstone::tests::exact_distance;
 using touchstone::tests::exactly_compared;
 
 namespace {
@@ -120,6 +122,51 @@ TEST_CASE("distances are compared in doubles as they are compared exactly, at al
     const auto k = static_cast<std::size_t>(kind);
     CAPTURE(name_of(kind), quick[k], asked[k]);
     CHECK(2 * quick[k] > asked[k]);
+  }
+}
+
+TEST_CASE("distances in double-doubles are the exact ones, at all times and in both metrics") {
+  seeded::Rng random(3814);
+  std::array<std::size_t, 2> told{}, asked{};
+  for (std::size_t round = 0; round < effort(40000); ++round) {
+    Query query = random_pair(random);
+    const double size = std::fabs(query.start[0].x - query.start[1].x);
+    const double way = random.one_in(3) ? 0 : size * std::ldexp(1.0, random.between(-30, 30));
+    for (Vec3& x : query.end) x = sum(x, way, random_vector(random));
+    const double time = random.pick(std::array{0.0, 1.0, 0.5, std::fabs(random.symmetric())});
+    const Metric metric = random.pick(std::array{Metric::euclidean, Metric::max});
+    const Distance exact = exact_distance(query, time, metric);
+    CAPTURE(round, name_of(query.kind), time, exact.value, name_of(metric));
+    ++asked[static_cast<std::size_t>(metric)];
+    for (const double level : {std::nextafter(exact.value, 0), exact.value, std::nextafter(exact.value, INFINITY)}) {
+      const int side = filters::precise_side_of_distance(query, time, {level, metric});
+      if (side != 0) REQUIRE(side == exactly_compared(query, time, {level, metric}));
+    }
+    const auto found = filters::precise_distance(query, time, metric);
+    if (!found) continue;
+    ++told[static_cast<std::size_t>(metric)];
+    REQUIRE(found->value == exact.value);
+    REQUIRE(found->feature_a == exact.feature_a);
+    REQUIRE(found->feature_b == exact.feature_b);
+    for (std::size_t i = 0; i < 3; ++i) {
+      REQUIRE(std::fabs(found->weights_a[i] - exact.weights_a[i]) <= 0x1p-49);  // each is within 2^-50
+      REQUIRE(std::fabs(found->weights_b[i] - exact.weights_b[i]) <= 0x1p-49);
+    }
+  }
+  CAPTURE(told, asked);
+  for (std::size_t m = 0; m < 2; ++m) CHECK(4 * told[m] > 3 * asked[m]);
+}
+
+TEST_CASE("a distance between two doubles is rounded to the even one") {
+  Query query;
+  query.kind = Kind::point_point;
+  for (const Metric metric : {Metric::euclidean, Metric::max}) {
+    for (const bool odd : {false, true}) {
+      // 1 + 2^-53, and a 2^-52 more.
+      query.start = query.end = {Vec3{odd ? 1 + 0x1p-52 : 1, 0, 0}, {-0x1p-53, 0, 0}};
+      CHECK_FALSE(filters::precise_distance(query, 0, metric));
+      CHECK(distance(query, 0, metric).value == (odd ? 1 + 0x1p-51 : 1));
+    }
   }
 }
 

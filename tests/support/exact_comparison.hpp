@@ -1,4 +1,4 @@
-// Distances as the exact level alone compares them, without the doubles that compare_distance tries first.
+// Distances as the exact level alone tells and compares them, without the doubles that are tried first.
 // SPDX-License-Identifier: MIT
 #pragma once
 
@@ -14,6 +14,12 @@ namespace touchstone::tests {
 inline int exactly_compared(const Query& query, double t, const Separation& separation) {
   const numbers::LimbScratch scratch;
   return exact::compare_distance(query, t, separation);
+}
+
+/// As distance, for arguments that are valid.
+inline Distance exact_distance(const Query& query, double t, Metric metric) {
+  const numbers::LimbScratch scratch;
+  return exact::distance_at(query, t, metric);
 }
 
 }  // namespace touchstone::tests

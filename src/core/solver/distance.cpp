@@ -7,6 +7,7 @@
 
 #include "exact/exact.hpp"
 #include "filters/separation/distance_bound.hpp"
+#include "filters/separation/precise_distance.hpp"
 #include "numbers/doubles/float_environment.hpp"
 #include "numbers/integers/limb_scratch.hpp"
 #include "solver/validate.hpp"
@@ -21,6 +22,9 @@ Distance distance_of(const AnyQuery& query, double t, Metric metric) {
   solver::validate(Separation{0, metric});
   solver::validate_time(t);
   solver::validate(query, t);
+  if constexpr (std::is_same_v<AnyQuery, Query>) {
+    if (const auto distance = filters::precise_distance(query, t, metric)) return *distance;
+  }
   const numbers::LimbScratch scratch;  // no number outlives the question
   return exact::distance_at(query, t, metric);
 }
@@ -33,6 +37,7 @@ int compare(const AnyQuery& query, double t, const Separation& separation) {
   solver::validate(query, t);
   if constexpr (std::is_same_v<AnyQuery, Query>) {
     if (const int side = filters::side_of_distance(query, t, separation)) return side;
+    if (const int side = filters::precise_side_of_distance(query, t, separation)) return side;
   }
   const numbers::LimbScratch scratch;
   return exact::compare_distance(query, t, separation);

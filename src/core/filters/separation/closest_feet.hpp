@@ -49,12 +49,16 @@ class ClosestFeet {
     return feet_of(domain_, hint.facet, x, &level);
   }
 
-  /// It has the sign of the distance minus the separation, and is their difference, or that of their squares, times the
+  /// It has the sign of the distance minus the level, and is their difference, or that of their squares, times the
   /// measure.
+  template <class N>
+  N excess_over(const Feet<N>& feet, const N& level) const noexcept {
+    return feet.gap - (metric_ == Metric::euclidean ? level * level : level) * feet.measure;
+  }
+  /// The same over the separation.
   template <class N, class Factor>
   N excess(const Feet<N>& feet, const Factor& scale) const noexcept {
-    const N reach = scale * exact_number<N>(distance_);
-    return feet.gap - (metric_ == Metric::euclidean ? reach * reach : reach) * feet.measure;
+    return excess_over(feet, scale * exact_number<N>(distance_));
   }
 
   /// Writes the contact's closest points. False where they are not known within 2^-51.

@@ -12,8 +12,7 @@
 
 namespace touchstone::numbers {
 
-/// Like std::vector<Exact> of a size that is known when it is made. Up to kInline numbers need no allocation: the
-/// coefficients of all polynomials of straight motion.
+/// Like std::vector<Exact> of a size that is known when it is made. Up to kInline numbers need no allocation.
 class ExactList {
  public:
   ExactList() noexcept : ExactList(0) {}
@@ -50,7 +49,8 @@ class ExactList {
   }
 
  private:
-  static constexpr int kInline = 7;  // a degree of up to 6
+  static constexpr int kInline = 3;  // a product of two differences; with more, the polynomials of a question are so
+                                     // large that the heap gives their pages back after each
 
   Exact* own() noexcept { return std::launder(reinterpret_cast<Exact*>(storage_)); }
   Exact* storage_for(int size) {
