@@ -4,6 +4,7 @@
 
 #include <touchstone/answer.hpp>
 #include <touchstone/certify.hpp>
+#include <touchstone/closest_approach.hpp>
 #include <touchstone/contact_normal.hpp>
 #include <touchstone/contact_times.hpp>
 #include <touchstone/curved.hpp>
@@ -24,7 +25,8 @@
 /// `solve` answers one query, and `solve_batch` answers many. Each of them also takes a Separation that the elements
 /// are to keep. `solve` also takes a CurvedQuery, whose corners turn or move on curves. `contact_times` gives all times
 /// of contact, and `contact_normal` the normal at the first. `distance` measures at one instant. `judge` judges the
-/// claim of another solver. `Mesh` and `first_contact` ask about whole meshes. The header touchstone/touchstone.hpp
+/// claim of another solver. `Mesh` and `first_contact` ask about whole meshes, and
+/// `closest_approach` how near their elements come. The header touchstone/touchstone.hpp
 /// brings all of these. More headers stand beside it: touchstone/eigen.hpp makes queries and positions from Eigen's
 /// types, touchstone/fuzz.hpp searches for failures of another solver, touchstone/ipc_toolkit.hpp is a narrow phase for
 /// ipc-toolkit, and touchstone/c.h is the library for C.

@@ -129,7 +129,8 @@ const std::map<std::string, std::string>& header_owners() {
       {"certify.hpp", "certify"}, {"fuzz.hpp", "fuzz"},
       {"plugin.h", "fuzz"},       {"eigen.hpp", "*"},
       {"touchstone.hpp", "*"},    {"c.h", "c_api"},
-      {"ipc_toolkit.hpp", "*"},   {"mesh_steps.hpp", "mesh"},
+      {"ipc_toolkit.hpp", "*"},   {"closest_approach.hpp", "mesh"},
+      {"mesh_steps.hpp", "mesh"},
   };
   return owners;
 }

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 #include <mutex>
+#include <type_traits>
 
 #include "mesh/folds.hpp"
 #include "mesh/pair_distance.hpp"
@@ -30,6 +31,17 @@ BoundsByAxis bounds_of(const MovingVertex& vertex, const BoundsByAxis*) noexcept
   return {{x, y, z}, {x, y, z}};
 }
 
+/// The box at rest that holds a moving one, and that swells.
+void swell(BoundsByAxis& box, double swelling) noexcept {
+  using At = BoundsByAxis::AtBothEnds;
+  BoundsByAxis grown = box;
+  broad_phase::grow(grown, swelling);
+  for (std::size_t k = 0; k < 3; ++k) {
+    box.low[k] = At{std::min(box.low[k][0], box.low[k][1]), std::min(grown.low[k][0], grown.low[k][1])};
+    box.high[k] = At{std::max(box.high[k][0], box.high[k][1]), std::max(grown.high[k][0], grown.high[k][1])};
+  }
+}
+
 /// The boxes of elements: at rest, or moving ones.
 template <class Bounds>
 class Boxes {
@@ -43,6 +55,9 @@ class Boxes {
   Bounds around(const std::array<Index, N>& corners) const noexcept {
     Bounds box = at(corners[0]);
     for (std::size_t i = 1; i < N; ++i) broad_phase::extend_by(box, at(corners[i]));
+    if constexpr (std::is_same_v<Bounds, BoundsByAxis>) {
+      if (reach_.swelling > 0) swell(box, reach_.swelling);
+    }
     if (!reaches_) return box;
     double reach = reach_.same, more = 0;
     for (const Index corner : corners) {

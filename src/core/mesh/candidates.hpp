@@ -25,6 +25,10 @@ struct Reach {
   /// Beyond that. The greatest of an element's vertices counts by itself: another one than in the list above may have
   /// it. Empty without.
   std::vector<double> of_ways;
+
+  /// Where it is not 0: boxes hold their elements' ways at all times of [0, 1], and reach so far in place of that at
+  /// t = 1, evenly less before that and nowhere at t = 0.
+  double swelling = 0;
 };
 
 /// The reach that finds every pair whose distance falls to its separation or below.
