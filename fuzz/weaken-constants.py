@@ -237,8 +237,9 @@ MESH_FAULTS = [
     ("neighbours on the other side", "mesh/folds.cpp", "if (!certainly_above({{-n",
      "if (false && !certainly_above({{-n"),
     ("neighbours on this side", "mesh/folds.cpp", "if (!certainly_above(n, along)) return false;", ""),
-    ("faces behind a ray's start", "mesh/ray_passes.cpp", "== -side ? side : 0;", "== -side ? side : side;"),
-    ("a ray from a common vertex", "mesh/pieces.cpp",
+    ("faces behind a ray's start", "mesh/inside_surfaces/ray_passes.cpp", "== -side ? side : 0;",
+     "== -side ? side : side;"),
+    ("a ray from a common vertex", "mesh/inside_surfaces/pieces.cpp",
      "if (same_position(motion[a].start, motion[b].start)) piece.middle",
      "if (false) piece.middle"),
     ("margin of candidates that are kept", "mesh/candidate_search.cpp", "with_room(reach.same + wider)",
@@ -260,7 +261,7 @@ MESH_FAULTS = [
      "way.x - beside.x, 0.0,"),
     ("boxes of what a face stands for", "mesh/candidates.cpp", "!meet(a.box, b.box, until_)", "false"),
     ("vertices that a face stands for", "mesh/mesh.cpp", "corners[i]], 1) == 0)", "corners[i]], 1) == 0 && i > 0)"),
-    ("pieces that meet", "mesh/inside.cpp", "if (a != b) pairs.insert({{a, b}, {b, a}});", ""),
+    ("pieces that meet", "mesh/inside_surfaces/inside.cpp", "if (a != b) pairs.insert({{a, b}, {b, a}});", ""),
 ]
 
 # Of curved queries: the fuzzer and the checker of proofs know none of these, only tests/curved does.

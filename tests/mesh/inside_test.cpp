@@ -10,8 +10,8 @@
 
 #include <touchstone/touchstone.hpp>
 
-#include "mesh/inside.hpp"
-#include "mesh/pieces.hpp"
+#include "mesh/inside_surfaces/inside.hpp"
+#include "mesh/inside_surfaces/pieces.hpp"
 #include "seeded/rng.hpp"
 #include "support/catch.hpp"
 #include "support/slow_build.hpp"

@@ -6,8 +6,8 @@
 #include <tuple>
 #include <vector>
 
+#include "mesh/inside_surfaces/ray_passes.hpp"
 #include "mesh/moving_vertices.hpp"
-#include "mesh/ray_passes.hpp"
 #include "mesh/rounded_vectors.hpp"
 #include "numbers/doubles/float_environment.hpp"
 #include "solver/cascade.hpp"

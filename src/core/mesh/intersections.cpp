@@ -15,7 +15,7 @@
 #include "mesh/candidates.hpp"
 #include "mesh/contacts.hpp"
 #include "mesh/folds.hpp"
-#include "mesh/inside.hpp"
+#include "mesh/inside_surfaces/inside.hpp"
 #include "mesh/intersections.hpp"
 #include "mesh/narrow.hpp"
 #include "numbers/doubles/float_environment.hpp"

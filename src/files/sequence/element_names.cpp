@@ -10,7 +10,7 @@
 #include "geometry/union_find.hpp"
 #include "io/fail.hpp"
 #include "io/sha256.hpp"
-#include "mesh/pieces.hpp"
+#include "mesh/inside_surfaces/pieces.hpp"
 
 namespace touchstone::sequence {
 namespace {

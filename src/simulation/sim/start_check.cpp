@@ -11,7 +11,7 @@
 #include <touchstone/error.hpp>
 #include <touchstone/mesh.hpp>
 
-#include "mesh/inside.hpp"
+#include "mesh/inside_surfaces/inside.hpp"
 
 namespace touchstone::sim {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "mesh/ray_passes.hpp"
+#include "mesh/inside_surfaces/ray_passes.hpp"
 
 namespace touchstone::mesh {
 namespace {

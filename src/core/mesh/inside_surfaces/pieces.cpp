@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "mesh/pieces.hpp"
+#include "mesh/inside_surfaces/pieces.hpp"
 
 #include <algorithm>
 #include <limits>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "mesh/inside.hpp"
+#include "mesh/inside_surfaces/inside.hpp"
 
 #include <algorithm>
 #include <array>
@@ -12,9 +12,9 @@
 #include "broad_phase/box_tree.hpp"
 #include "mesh/contacts.hpp"
 #include "mesh/folds.hpp"
+#include "mesh/inside_surfaces/pieces.hpp"
+#include "mesh/inside_surfaces/ray_passes.hpp"
 #include "mesh/mesh_elements.hpp"
-#include "mesh/pieces.hpp"
-#include "mesh/ray_passes.hpp"
 #include "numbers/doubles/float_environment.hpp"
 #include "numbers/integers/exact_number.hpp"
 #include "solver/cascade.hpp"
