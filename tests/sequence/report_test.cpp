@@ -70,7 +70,8 @@ TEST_CASE("a report is JSON that says everything, and is read back") {
                                           {"folds_of_first_frame", 1},
                                           {"inside_of_first_frame", 1},
                                           {"enclosed_parts_of_first_frame", 6},
-                                          {"free_from_intersecting_frame", 3}}));
+                                          {"free_from_intersecting_frame", 3},
+                                          {"least_distance", "0x0p+0"}}));
   CHECK(json["mesh"]["idle_vertices"] == 1);
   CHECK(json["mesh"]["pairs_with_common_vertex"] == 24);
   CHECK(json["results"][0]["coinciding_vertices"] == 5);
@@ -79,14 +80,22 @@ TEST_CASE("a report is JSON that says everything, and is read back") {
   CHECK(json["mesh"]["joined_vertices"] == 0);
   CHECK(json["results"][0]["enclosed_parts"]["points"] == 3);
   CHECK(json["results"][0]["enclosed_parts"]["face"]["number"] == 17);
-  REQUIRE(json["warnings"].size() == 4);
+  REQUIRE(json["warnings"].size() == 6);
   CHECK(json["warnings"][0] == "1 vertex in no element was left out");
   CHECK(
       json["warnings"][1] ==
       "1 surface, 2 wires and 3 loose points are wholly inside a closed surface, which is no contact (vertex 1 inside "
       "the surface of face 17)");
-  CHECK(json["warnings"][2] == "3 free steps start from a frame that intersects itself");
-  CHECK(has(json["warnings"][3], "5 of 13 vertices lie exactly on others: "));
+  CHECK(json["warnings"][2] == "pairs within one part were left out");
+  CHECK(json["warnings"][3] == "these parts were not asked about: a \"b\" and c,d, c,d and e");
+  CHECK(json["warnings"][4] == "3 free steps start from a frame that intersects itself");
+  CHECK(has(json["warnings"][5], "5 of 13 vertices lie exactly on others: "));
+  CHECK(json["parts"]["ignored"].dump() == R"([["a \"b\"","c,d"],["c,d","e"]])");
+  CHECK(json["parts"]["within"] == false);
+  CHECK(json["clearance"] == true);
+  CHECK(json["results"][0]["clearance"] == nlohmann::json({{"distance", "0x0p+0"}}));
+  CHECK(json["results"][3]["clearance"]["pairs"] == 2);
+  CHECK(json["results"][4]["clearance"]["distance"].is_null());
   CHECK(json["separation"] == "0x1p-3");
   CHECK(json["frames"].size() == 7);
   CHECK(json["results"].size() == 7);
@@ -271,6 +280,12 @@ TEST_CASE("a report with a right digest and wrong content is refused by its key"
   check("\"joined_vertices\": 0", "\"joined_vertices\": -1", "mesh.joined_vertices");
   check("\"enclosed_parts\":{", "\"flat_faces\":0,\"enclosed_parts\":{", "results[0].flat_faces");
   check("\"coinciding_vertices\":5", "\"coinciding_vertices\":0", "results[0].coinciding_vertices");
+  check("\"within\": false", "\"within\": 0", "parts.within: must be true or false");
+  check("[\"c,d\", \"e\"]", "[\"c,d\"]", "parts.ignored[1]: must be two names");
+  check("\"ignored\"", "\"only\"", "not as touchstone mesh writes it");
+  check("\"clearance\": true", "\"clearance\": false", "not as touchstone mesh writes it");
+  check("\"distance\":\"0x1.8p-3\"", "\"distance\":\"-0x1.8p-3\"", "distance: must be null or a hexfloat");
+  check("\"pairs\":2", "\"pairs\":0", "results[3].clearance.pairs");
   check("start from a frame", "start with a frame", "not as touchstone mesh writes it");
 }
 

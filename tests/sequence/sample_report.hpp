@@ -17,6 +17,8 @@ inline sequence::Report sample_report() {
   Report report;
   report.heading.program = "0.1.0";
   report.heading.separation = {0.125, Metric::max};
+  report.heading.parts = {GroupRule::all_but_listed, false, {{"a \"b\"", "c,d"}, {"c,d", "e"}}};
+  report.heading.clearance = true;
   report.heading.frame_count = 7;
   report.heading.facts = MeshFacts{std::string(64, 'a'), 3, 13, 4, 12, 0, 1, 24};
   std::vector<std::string> labels;
@@ -43,6 +45,9 @@ inline sequence::Report sample_report() {
   first.toi_upper = 0x1.5555555555556p-2;
   first.first = {{Kind::vertex_face, vertex, face, Nature::entering, Feature::v, Feature::f01, Trend::approaching}};
   first.intersections = {{edge, face, Sort::pierces}};
+  report.results[0].clearance = {.distance = 0};
+  report.results[3].clearance = {0x1.8p-3, 0x1p-2, 0x1.0000000000001p-2, 2, first.first[0]};
+  report.results[4].clearance = Clearance();
   report.results[5].at_start = {
       {Kind::edge_edge, edge, edge, Nature::sustained, Feature::overlap, Feature::overlap, Trend::constant},
       {Kind::point_edge, vertex, edge, Nature::isolated, Feature::p, Feature::e, Trend::leaving}};

@@ -94,6 +94,7 @@ sequence::Heading heading_for(const MeshRunOptions& options, const std::vector<F
   heading.program = version();
   heading.question = options.check ? Question::rest : Question::steps;
   heading.separation = options.separation.separation;
+  heading.clearance = options.clearance;
   if (heading.separation.distance == 0) heading.separation.metric = Metric::euclidean;  // the metric has no meaning
   heading.frame_count = names.size();
   std::vector<std::string> labels;
@@ -117,6 +118,14 @@ const std::string& elements_file(const MeshRunOptions& options, const FrameName&
   return options.topology.empty() ? name.file : options.topology;
 }
 
+/// The names of parts belong to one mesh.
+void check_parts(const MeshRunOptions& options, const std::vector<FrameName>& names) {
+  if (options.parts.empty() || !may_differ(options) || names.size() == 1) return;
+  throw Error(
+      "--in-order: with --check each file is a mesh by itself, and parts are those of one mesh; check the files "
+      "one by one");
+}
+
 /// The elements of a motion. All of the mesh may move.
 proofs::MotionElements motion_elements(const Mesh& mesh) {
   return {mesh.vertex_count(), proofs::colliding_vertices(mesh.edges(), mesh.points()), mesh.edges(), mesh.faces(), {}};
@@ -136,16 +145,16 @@ proofs::MotionFrame motion_frame(const Frame& frame) {
 /// Checks frames one after the other.
 class Checker {
  public:
-  Checker(const MeshRunOptions& options, const std::vector<FrameName>& names, MeshOutput& output, Question question,
-          const Separation& separation, sequence::Range range, int threads, MotionProofs* proofs,
-          MeshAnimation* animation)
+  Checker(const MeshRunOptions& options, const std::vector<FrameName>& names, MeshOutput& output,
+          const sequence::Heading& heading, int threads, MotionProofs* proofs, MeshAnimation* animation)
       : options_(options),
         names_(names),
         output_(output),
-        question_(question),
-        separation_(separation),
-        range_(range),
-        threads_(threads),
+        question_(heading.question),
+        separation_(heading.separation),
+        parts_(heading.parts),
+        range_(sequence::range_of(heading)),
+        how_{threads, heading.clearance},
         proofs_(proofs),
         animation_(animation) {}
 
@@ -162,7 +171,7 @@ class Checker {
       sequence::check_same_elements(*before_->topology, names_[index - 1], *frame->topology, name);
     }
     if (question_ == Question::rest && frame->topology != topology_) {
-      mesh_ = sequence::mesh_of(*frame->topology, separation_, elements_file(options_, name));
+      mesh_ = sequence::mesh_of(*frame->topology, separation_, elements_file(options_, name), parts_);
       topology_ = frame->topology;
     }
     sequence::FrameEntry entry{name.label(), frame->digest};
@@ -189,9 +198,9 @@ class Checker {
       }
       next.result = earlier.result;
     } else if (next.result.step) {
-      next.result = sequence::check_step(mesh_, before, after, next.result.frame, threads_);
+      next.result = sequence::check_step(mesh_, before, after, next.result.frame, how_);
     } else {
-      next.result = sequence::check_frame(mesh_, before, next.result.frame, threads_);
+      next.result = sequence::check_frame(mesh_, before, next.result.frame, how_);
     }
     ++results_;
     if (animation_ != nullptr) animation_->add_result(next.result, before, after);
@@ -209,8 +218,9 @@ class Checker {
   MeshOutput& output_;
   Question question_;
   Separation separation_;
+  sequence::PartRules parts_;
   sequence::Range range_;
-  int threads_;
+  sequence::CheckOptions how_;
   MotionProofs* proofs_;                              ///< null: no proofs are asked for
   MeshAnimation* animation_;                          ///< null: no page is asked for
   std::shared_ptr<const frames::Topology> topology_;  ///< of mesh_
@@ -239,6 +249,7 @@ int run_mesh(const MeshRunOptions& options) {
   const frames::ReadOptions reading{options.topology, options.dataset, options.triangulate, throw_if_interrupted};
   const std::vector<FrameName> names = frames_to_check(options, reading);
   check_files(options, names);
+  check_parts(options, names);
   sequence::Heading heading = heading_for(options, names);
   const Question question = heading.question;
   const Separation separation = heading.separation;
@@ -247,7 +258,9 @@ int run_mesh(const MeshRunOptions& options) {
 
   // The first frame is read alone: the other ones share its elements.
   const auto first = read(names[range.first], reading, nullptr);
-  Mesh mesh = sequence::mesh_of(*first->topology, separation, elements_file(options, names[range.first]));
+  const std::string& first_file = elements_file(options, names[range.first]);
+  heading.parts = sequence::part_rules_of(*first->topology, options.parts, first_file);
+  Mesh mesh = sequence::mesh_of(*first->topology, separation, first_file, heading.parts);
   if (!may_differ(options)) heading.facts = sequence::facts_of(mesh, *first->topology);
   std::optional<MotionProofs> proofs;  // a folder that is refused is found before a journal is made
   if (!options.prove.empty()) proofs.emplace(options.prove, motion_elements(mesh), separation, threads);
@@ -257,12 +270,12 @@ int run_mesh(const MeshRunOptions& options) {
     page.emplace(options.html);
     animation.emplace(mesh, first->topology, separation);
   }
-  MeshOutput output(options, std::move(heading));
+  MeshOutput output(options, heading);
   if (!output.finished().empty()) {
     print_error(fmt::format("touchstone: {} of {} results are those of {}\n", grouped(output.finished().size()),
                             grouped(sequence::result_count(question, range)), io::printable(output.finished_file())));
   }
-  Checker checker(options, names, output, question, separation, range, threads, proofs ? &*proofs : nullptr,
+  Checker checker(options, names, output, heading, threads, proofs ? &*proofs : nullptr,
                   animation ? &*animation : nullptr);
   checker.start_with(first->topology, std::move(mesh));
 

@@ -17,7 +17,9 @@ struct MeshRunOptions {
   bool in_order = false;           ///< the files are frames in the order given, whatever their names are
   bool check = false;              ///< asks about each frame at rest
   SeparationOption separation;
-  int threads = 0;  ///< 0: all that the machine has
+  sequence::PartOptions parts;
+  bool clearance = false;  ///< asks for the least distance, too
+  int threads = 0;         ///< 0: all that the machine has
   std::optional<sequence::Shard> shard;
   std::string report, pairs, queries, prove;
   std::string html;  ///< the page to write; empty: none

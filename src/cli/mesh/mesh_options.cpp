@@ -38,6 +38,31 @@ void add_mesh(CLI::App& program, Command& command) {
                        "--check, each file is a frame by itself, and their elements may differ");
   add_separation_options(*subcommand, options->separation, "The distance at which two elements are in contact");
   subcommand->get_option("--separation")->excludes(check);
+  subcommand->add_flag(
+      "--clearance", options->clearance,
+      "Find the least distance of two elements in each step, too, or at rest with --check: rounded up "
+      "to a double, between the elements as they are. Elements of one part count that share no vertex");
+  const auto pair_of_parts = [](const std::string& text) {
+    return text.find(',') == std::string::npos ? "must be two names of parts, such as A,B" : std::string();
+  };
+  CLI::Option* const only_between =
+      subcommand
+          ->add_option("--only-between", options->parts.only_between,
+                       "Ask about these two parts against each other, and about nothing else: objects or groups of "
+                       "the file, or patterns with * ? [. It may be given several times")
+          ->type_name("A,B")
+          ->allow_extra_args(false)
+          ->check(pair_of_parts);
+  CLI::Option* const ignore = subcommand
+                                  ->add_option("--ignore", options->parts.ignored,
+                                               "Do not ask about these two parts; A,A leaves out pairs within A")
+                                  ->type_name("A,B")
+                                  ->allow_extra_args(false)
+                                  ->excludes(only_between)
+                                  ->check(pair_of_parts);
+  CLI::Option* const between =
+      subcommand->add_flag("--between-parts", options->parts.between_parts, "Do not ask about pairs within one part")
+          ->excludes(only_between);
   subcommand
       ->add_option("--threads", options->threads,
                    "The number of threads (default: all that the machine has); no result depends on it")
@@ -79,7 +104,10 @@ void add_mesh(CLI::App& program, Command& command) {
                    "Write the frames' positions as FOLDER/motion.txt and a proof for each pair of each step as "
                    "FOLDER/proofs.txt, for touchstone-check. The folder must be new or empty")
       ->type_name("FOLDER")
-      ->excludes(check);
+      ->excludes(check)
+      ->excludes(only_between)
+      ->excludes(ignore)
+      ->excludes(between);
   subcommand
       ->add_option("--topology", options->topology,
                    "The file with the elements of the mesh, for frames that hold positions only")
@@ -101,6 +129,8 @@ void add_mesh(CLI::App& program, Command& command) {
       "  touchstone mesh --separation 1e-3 --report report.json --resume 'cloth-*.obj'\n"
       "  touchstone mesh --shard 2/4 --report part-2.json cloth-*.obj\n"
       "  touchstone mesh --check body.ply\n"
+      "  touchstone mesh --check --clearance --between-parts engine.obj\n"
+      "  touchstone mesh --clearance --only-between 'gripper*,bottle' grasp-*.obj\n"
       "  touchstone mesh --in-order rest.obj bent.obj\n"
       "  touchstone mesh --html cloth.html cloth-*.obj\n"
       "  touchstone mesh --prove proved cloth-*.obj && touchstone-check proved/proofs.txt proved/motion.txt\n\n"

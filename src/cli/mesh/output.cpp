@@ -39,6 +39,17 @@ std::string time_range(double toi, double toi_upper) {
   return fmt::format("t in [{}, {}] ({})", io::hexfloat(toi), io::hexfloat(toi_upper), toi);
 }
 
+/// "; least distance 0.25: vertex 3 and face 5 (6-7-8), t = 0.5" of what is free; empty where it was not asked for.
+std::string clearance_of(const sequence::Result& result) {
+  if (!result.clearance) return {};
+  const sequence::Clearance& clearance = *result.clearance;
+  if (clearance.pairs == 0) return "; no two elements have a distance";
+  std::string text = fmt::format("; least distance {}: {} and {}", clearance.distance,
+                                 element_for_person(clearance.pair.first), element_for_person(clearance.pair.second));
+  if (result.step) text += ", " + time_range(clearance.toi, clearance.toi_upper);
+  return clearance.pairs == 1 ? text : text + fmt::format(", and {}", counted(clearance.pairs - 1, "more pair"));
+}
+
 std::string more_line(std::size_t count, const std::string& indent) {
   return count > kShownPairs ? fmt::format("{}and {} more\n", indent, grouped(count - kShownPairs)) : std::string();
 }
@@ -166,14 +177,15 @@ void MeshOutput::add(sequence::Finished finished, const frames::Frame& before, c
 std::string MeshOutput::lines_of(const sequence::Result& result, const frames::Frame& before,
                                  const frames::Frame& after) {
   if (!result.step) {
-    if (result.free()) return label(result.frame) + ": no intersection\n";
+    if (result.free()) return label(result.frame) + ": no intersection" + clearance_of(result) + "\n";
     std::string text = fmt::format("{}: {}\n", label(result.frame), intersections_of(result));
     if (result.coinciding > 0) text += fmt::format("  {} vertices lie exactly on others\n", grouped(result.coinciding));
     return text + intersection_lines(result.intersections, "  ");
   }
   std::string text = label(result.frame) + " -> " + label(result.frame + 1) + ": ";
   if (result.free()) {
-    return text + (counts_.ends_intersecting ? "free of contact; its first frame intersects itself\n" : "free\n");
+    text += counts_.ends_intersecting ? "free of contact; its first frame intersects itself" : "free";
+    return text + (counts_.ends_intersecting ? "" : clearance_of(result)) + "\n";
   }
   if (!result.first.empty()) {
     text += fmt::format("first contact at {}, {}\n", time_range(result.toi, result.toi_upper),

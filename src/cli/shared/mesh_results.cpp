@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include "cli/shared/command_line/separation_options.hpp"
 #include "cli/shared/words.hpp"
 #include "sequence/scope.hpp"
@@ -50,6 +52,10 @@ std::string counts_for_person(const sequence::Heading& heading, const std::vecto
   }
   if (steps && counts.intersections.all > 0) {
     text += fmt::format("; the first frame has {}", intersections_for_person(counts.intersections));
+  }
+  if (const auto& distance = counts.least_distance) {
+    text += std::isinf(*distance) ? std::string("; no two elements have a distance")
+                                  : fmt::format("; least distance {}", *distance);
   }
   text += " (" + sequence::scope_of(heading, frames);
   if (heading.separation.distance > 0) text += "; " + separation_for_person(heading.separation);

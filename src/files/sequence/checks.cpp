@@ -8,11 +8,12 @@
 #include <utility>
 #include <vector>
 
+#include <touchstone/closest_approach.hpp>
 #include <touchstone/error.hpp>
 
 #include "io/fail.hpp"
 #include "mesh/coinciding.hpp"
-#include "mesh/inside.hpp"
+#include "mesh/inside_surfaces/inside.hpp"
 #include "sequence/element_names.hpp"
 
 namespace touchstone::sequence {
@@ -154,6 +155,18 @@ std::vector<RestContact> named(const std::vector<Intersection>& found, ElementNa
   return contacts;
 }
 
+Clearance clearance_of(const ClosestApproach& approach, ElementNames& names) {
+  Clearance clearance;
+  clearance.distance = approach.distance;
+  const FirstContact& near = approach.first_contact;
+  if (near.free() || !near.start_intersections.empty()) return clearance;
+  if (near.at_start.empty()) clearance.toi = near.toi, clearance.toi_upper = near.toi_upper;
+  const std::vector<MeshContact>& pairs = near.at_start.empty() ? near.earliest : near.at_start;
+  clearance.pairs = pairs.size();
+  clearance.pair = named(pairs.front(), names);
+  return clearance;
+}
+
 EnclosedCounts counts_of(const std::vector<EnclosedPart>& enclosed, ElementNames& names) {
   EnclosedCounts counts;
   if (enclosed.empty()) return counts;
@@ -169,7 +182,7 @@ EnclosedCounts counts_of(const std::vector<EnclosedPart>& enclosed, ElementNames
 
 }  // namespace
 
-Mesh mesh_of(const Topology& topology, const Separation& separation, const std::string& file) {
+Mesh mesh_of(const Topology& topology, const Separation& separation, const std::string& file, const PartRules& parts) {
   MeshElements elements;
   elements.vertex_count = topology.vertex_count;
   elements.dimension = topology.dimension;
@@ -177,8 +190,11 @@ Mesh mesh_of(const Topology& topology, const Separation& separation, const std::
   elements.edges = topology.edges;
   elements.points = loose_points(topology);
   elements.separation = separation;
+  elements.rules = collision_rules(topology, parts, file);
   try {
-    return Mesh(std::move(elements));
+    Mesh mesh(std::move(elements));
+    if (!parts.empty() && !mesh.has_pairs()) io::fail(file, "has no two parts that are left to ask about");
+    return mesh;
   } catch (const InvalidMesh& error) {
     refuse_faults(topology, topology.faces, file);
     refuse_faults(topology, topology.edges, file);
@@ -213,11 +229,11 @@ void check_same_elements(const Topology& before, const FrameName& name_before, c
   }
 }
 
-Result check_frame(const Mesh& mesh, const Frame& frame, std::size_t index, int threads) {
+Result check_frame(const Mesh& mesh, const Frame& frame, std::size_t index, const CheckOptions& how) {
   Result result;
   result.frame = index;
   ElementNames names(mesh, *frame.topology);
-  const MeshOptions options{threads};
+  const MeshOptions options{how.threads};
   const std::vector<Intersection> found = intersections(mesh, positions_of(frame), options);
   result.intersections = named(found, names);
   const Insides inside = insides(mesh, positions_of(frame), options, found, ClosedParts::unasked);
@@ -225,22 +241,29 @@ Result check_frame(const Mesh& mesh, const Frame& frame, std::size_t index, int 
   result.in_open = inside.in_open;
   result.flat = flat_faces(mesh, positions_of(frame));
   if (!result.free()) result.coinciding = coinciding_vertices(mesh, positions_of(frame));
+  if (how.clearance) result.clearance = clearance_of(distance(mesh, positions_of(frame), options), names);
   return result;
 }
 
-Result check_step(const Mesh& mesh, const Frame& before, const Frame& after, std::size_t index, int threads) {
-  const FirstContact contact = first_contact(mesh, positions_of(before), positions_of(after), {{{.threads = threads}}});
+Result check_step(const Mesh& mesh, const Frame& before, const Frame& after, std::size_t index,
+                  const CheckOptions& how) {
+  const StepOptions options{{.threads = how.threads}};
+  const FirstContact contact = first_contact(mesh, positions_of(before), positions_of(after), {options});
   Result result;
   result.step = true;
   result.frame = index;
   result.toi = contact.toi;
   result.toi_upper = contact.toi_upper;
   result.turning = turning_faces(mesh, positions_of(before), positions_of(after));
-  if (contact.free()) return result;
   ElementNames names(mesh, *before.topology);
+  if (how.clearance) {
+    const ClosestApproach approach = closest_approach(mesh, positions_of(before), positions_of(after), options);
+    result.clearance = clearance_of(approach, names);
+  }
+  if (contact.free()) return result;
   for (const MeshContact& one : contact.earliest) result.first.push_back(named(one, names));
   for (const MeshContact& one : contact.at_start) result.at_start.push_back(named(one, names));
-  result.intersections = named(intersections(mesh, positions_of(after), {.threads = threads}), names);
+  result.intersections = named(intersections(mesh, positions_of(after), options), names);
   if (!contact.at_start.empty()) result.coinciding = coinciding_vertices(mesh, positions_of(before));
   return result;
 }

@@ -14,8 +14,16 @@ namespace touchstone::sequence {
 
 /// The mesh of a topology. Vertices that are in no element do not collide.
 /// @param file  the name for messages
-/// @throws FileError  for elements that Mesh refuses, by their numbers in the file
-Mesh mesh_of(const frames::Topology& topology, const Separation& separation, const std::string& file);
+/// @throws FileError  for elements that Mesh refuses, by their numbers in the file, and for parts of which the rules
+///                    leave nothing to ask about
+Mesh mesh_of(const frames::Topology& topology, const Separation& separation, const std::string& file,
+             const PartRules& parts = {});
+
+/// How frames and steps are checked.
+struct CheckOptions {
+  int threads = 1;
+  bool clearance = false;  ///< whether the least distance is asked for, too
+};
 
 /// @throws FileError  for a coordinate that is not finite, by the vertex's number in the file
 void check_positions(const frames::Frame& frame, const FrameName& name);
@@ -26,13 +34,13 @@ void check_same_elements(const frames::Topology& before, const FrameName& name_b
 
 /// Where a frame intersects itself.
 /// @param index  its place in the sequence
-Result check_frame(const Mesh& mesh, const frames::Frame& frame, std::size_t index, int threads);
+Result check_frame(const Mesh& mesh, const frames::Frame& frame, std::size_t index, const CheckOptions& options);
 
 /// The contacts of a step. Numbers and names are those of the first frame. A step that is not free gets the
 /// intersections of its last frame too.
 /// @param index  the place of the first frame in the sequence
 Result check_step(const Mesh& mesh, const frames::Frame& before, const frames::Frame& after, std::size_t index,
-                  int threads);
+                  const CheckOptions& options);
 
 /// The query of a pair in a step.
 Query query_of(const PairContact& pair, const frames::Frame& before, const frames::Frame& after);

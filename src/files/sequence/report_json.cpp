@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include "io/fail.hpp"
 #include "io/sealed_json.hpp"
 #include "io/times.hpp"
@@ -21,6 +23,19 @@ std::string shown_shard(const std::optional<Shard>& shard) {
 std::string shown_separation(const Separation& separation) {
   if (separation.distance == 0) return "touching";
   return fmt::format("separation {}, {}", io::hexfloat(separation.distance), name_of(separation.metric));
+}
+
+std::string shown_parts(const PartRules& rules) {
+  const std::vector<std::string> texts = left_out_by(rules);
+  return texts.empty() ? "all parts" : fmt::format("{}", fmt::join(texts, "; "));
+}
+
+std::string json_of(const PartRules& rules) {
+  std::string text = fmt::format("\"parts\": {{\"{}\": [", rules.rule == GroupRule::only_listed ? "only" : "ignored");
+  for (const auto& [a, b] : rules.pairs) {
+    text += fmt::format("{}[{}, {}]", text.back() == '[' ? "" : ", ", json_string(a), json_string(b));
+  }
+  return text + fmt::format("], \"within\": {}}}", rules.within);
 }
 
 std::string shown_facts(const std::optional<MeshFacts>& facts) {
@@ -60,6 +75,8 @@ std::string heading_json(const Heading& heading) {
   if (const auto& shard = heading.shard) {
     text += fmt::format(",\n \"shard\": {{\"number\": {}, \"count\": {}}}", shard->number, shard->count);
   }
+  if (!heading.parts.empty()) text += ",\n " + json_of(heading.parts);
+  if (heading.clearance) text += ",\n \"clearance\": true";
   if (heading.facts) text += ",\n " + json_of(*heading.facts);
   return text;
 }
@@ -84,6 +101,9 @@ std::string report_text(const Report& report) {
                       steps ? "_of_first_frame" : "", counts.intersections.all, counts.intersections.folds,
                       counts.intersections.inside, counts.enclosed.all());
   if (steps) text += fmt::format(", \"free_from_intersecting_frame\": {}", counts.from_intersecting);
+  if (counts.least_distance && std::isfinite(*counts.least_distance)) {
+    text += fmt::format(", \"least_distance\": \"{}\"", io::hexfloat(*counts.least_distance));
+  }
   text += "},\n \"warnings\": [";
   std::vector<std::string> warnings = warnings_of(report.heading, report.frames, counts);
   if (const std::string cause = likely_cause(report.heading, counts); !cause.empty()) warnings.push_back(cause);
@@ -102,6 +122,11 @@ std::string difference_of(const Heading& a, const Heading& b, std::string_view o
   if (a.question != b.question) return differ(question_name(a.question), question_name(b.question));
   if (a.separation.distance != b.separation.distance || a.separation.metric != b.separation.metric) {
     return differ(shown_separation(a.separation), shown_separation(b.separation));
+  }
+  if (a.parts != b.parts) return differ(shown_parts(a.parts), shown_parts(b.parts));
+  if (a.clearance != b.clearance) {
+    return differ(a.clearance ? "the least distance, too" : "contacts alone",
+                  b.clearance ? "the least distance, too" : "contacts alone");
   }
   if (a.frame_count != b.frame_count) {
     return differ(fmt::format("{} frames", a.frame_count), fmt::format("{} frames", b.frame_count));

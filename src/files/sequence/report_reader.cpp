@@ -51,6 +51,19 @@ Separation separation_from(const JsonNode& root) {
   return {*distance, *metric};
 }
 
+PartRules parts_from(const JsonNode& node) {
+  node.check_keys({"only", "ignored", "within"});
+  PartRules rules;
+  rules.rule = node.has("only") ? GroupRule::only_listed : GroupRule::all_but_listed;
+  rules.within = node.at("within").boolean();
+  for (const JsonNode& pair : node.at(node.has("only") ? "only" : "ignored").items()) {
+    const auto names = pair.items();
+    if (names.size() != 2) pair.fail("must be two names");
+    rules.pairs.push_back({clean_text_from(names[0]), clean_text_from(names[1])});
+  }
+  return rules;
+}
+
 Shard shard_from(const JsonNode& node, std::uint64_t items) {
   node.check_keys({"number", "count"});
   Shard shard;
@@ -73,6 +86,8 @@ Heading heading_of(const JsonNode& root) {
   if (const auto shard = root.find("shard")) {
     heading.shard = shard_from(*shard, item_count(heading.question, heading.frame_count));
   }
+  if (const auto parts = root.find("parts")) heading.parts = parts_from(*parts);
+  if (const auto clearance = root.find("clearance")) heading.clearance = clearance->boolean();
   if (steps || root.has("mesh")) heading.facts = facts_from(root.at("mesh"));
   return heading;
 }
@@ -95,7 +110,7 @@ Report report_from(std::string_view text) {
   const json::JsonDocument document = json::parse_json(text);
   const JsonNode root(document.value(), "the report");
   root.check_keys({"sha256", "touchstone_mesh", "touchstone", "question", "separation", "metric", "frame_count",
-                   "names_sha256", "shard", "mesh", "frames", "results", "counts", "warnings"});
+                   "names_sha256", "shard", "parts", "clearance", "mesh", "frames", "results", "counts", "warnings"});
   Report report;
   report.heading = heading_of(root);
   const Question question = report.heading.question;

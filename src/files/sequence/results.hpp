@@ -14,6 +14,8 @@
 #include <touchstone/mesh.hpp>
 #include <touchstone/query.hpp>
 
+#include "sequence/part_rules.hpp"
+
 namespace touchstone::sequence {
 
 /// An element of a mesh as its file counts and names it.
@@ -69,6 +71,15 @@ struct EnclosedCounts {
   }
 };
 
+/// The least distance of two elements in a step or in a frame.
+struct Clearance {
+  double distance = std::numeric_limits<double>::infinity();  ///< rounded up; infinity without two that may collide
+  double toi = 0;                                             ///< when two elements are so near first, in [0, 1]
+  double toi_upper = 0;                                       ///< the double after that, or the same
+  std::size_t pairs = 0;  ///< how many are so near first; 0 where the mesh intersects itself at the start
+  PairContact pair = {};  ///< the first of them
+};
+
 /// What was found about a frame at rest, or about the step from a frame to the next.
 struct Result {
   bool step = false;      ///< a step
@@ -92,6 +103,8 @@ struct Result {
   std::size_t in_open = 0;  ///< Insides::in_open
 
   std::size_t turning = 0;  ///< of a step: turning_faces
+
+  std::optional<Clearance> clearance;  ///< where it was asked for
 
   bool free() const noexcept { return first.empty() && at_start.empty() && intersections.empty(); }
 };
@@ -179,6 +192,9 @@ struct Heading {
   std::string program;  ///< the version
   Question question = Question::steps;
   Separation separation;
+  PartRules parts;         ///< which parts were asked about
+  bool clearance = false;  ///< whether the least distance was asked for, too
+
   std::size_t frame_count = 0;     ///< of the whole sequence
   std::string list_digest;         ///< digest_of the labels of all frames
   std::optional<Shard> shard;      ///< nothing for a whole run
@@ -194,17 +210,18 @@ struct Report {
 
 /// The counts at the end of a report.
 struct ResultCounts {
-  std::size_t results = 0;            ///< steps, or frames at rest
-  std::size_t free = 0;               ///< of those, the free ones
-  IntersectionCounts intersections;   ///< of the first frame, when steps are asked about, else of all frames
-  std::size_t from_intersecting = 0;  ///< the free steps from a frame that intersects itself, as far as is known
-  EnclosedCounts enclosed;            ///< of the same frames as `intersections`
-  std::size_t frames_enclosing = 0;   ///< those with such parts
-  std::size_t flat = 0;               ///< the greatest of Result::flat
-  std::size_t in_open = 0;            ///< the greatest of Result::in_open
-  std::size_t turning = 0;            ///< the greatest of Result::turning
-  std::size_t coinciding = 0;         ///< the greatest of Result::coinciding
-  bool ends_intersecting = false;     ///< whether the frame at the end of the last result is known to intersect itself
+  std::size_t results = 0;               ///< steps, or frames at rest
+  std::size_t free = 0;                  ///< of those, the free ones
+  IntersectionCounts intersections;      ///< of the first frame, when steps are asked about, else of all frames
+  std::size_t from_intersecting = 0;     ///< the free steps from a frame that intersects itself, as far as is known
+  EnclosedCounts enclosed;               ///< of the same frames as `intersections`
+  std::size_t frames_enclosing = 0;      ///< those with such parts
+  std::size_t flat = 0;                  ///< the greatest of Result::flat
+  std::size_t in_open = 0;               ///< the greatest of Result::in_open
+  std::size_t turning = 0;               ///< the greatest of Result::turning
+  std::size_t coinciding = 0;            ///< the greatest of Result::coinciding
+  std::optional<double> least_distance;  ///< of Result::clearance; nothing where it was not asked for
+  bool ends_intersecting = false;  ///< whether the frame at the end of the last result is known to intersect itself
 
   bool all_free() const noexcept { return free == results && intersections.all == 0; }
   void add(Question question, const Result& result) {
@@ -212,6 +229,9 @@ struct ResultCounts {
     in_open = result.in_open > in_open ? result.in_open : in_open;
     turning = result.turning > turning ? result.turning : turning;
     coinciding = result.coinciding > coinciding ? result.coinciding : coinciding;
+    if (result.clearance && !(least_distance && *least_distance <= result.clearance->distance)) {
+      least_distance = result.clearance->distance;
+    }
     // A step without contact leaves a frame that intersects itself as it is.
     if (question == Question::rest || !result.free()) ends_intersecting = !result.intersections.empty();
     if (!result.step) {

@@ -49,6 +49,15 @@ std::string json_of(const EnclosedCounts& enclosed) {
                      enclosed.wires, enclosed.points, json_of(enclosed.vertex), json_of(enclosed.face));
 }
 
+std::string json_of(const Clearance& clearance) {
+  if (clearance.distance == std::numeric_limits<double>::infinity()) return "{\"distance\":null}";
+  std::string text = fmt::format("{{\"distance\":\"{}\"", io::hexfloat(clearance.distance));
+  if (clearance.pairs == 0) return text + "}";
+  return text + fmt::format(",\"toi\":\"{}\",\"toi_upper\":\"{}\",\"pairs\":{},\"pair\":{}}}",
+                            io::hexfloat(clearance.toi), io::hexfloat(clearance.toi_upper), clearance.pairs,
+                            json_of(clearance.pair));
+}
+
 template <class Item>
 std::string list_json(const std::vector<Item>& items) {
   std::string text = "[";
@@ -137,6 +146,7 @@ std::string result_json(const Result& result) {
   if (result.flat > 0) text += fmt::format(",\"flat_faces\":{}", result.flat);
   if (result.in_open > 0) text += fmt::format(",\"parts_in_open_surfaces\":{}", result.in_open);
   if (result.turning > 0) text += fmt::format(",\"turning_faces\":{}", result.turning);
+  if (result.clearance) text += ",\"clearance\":" + json_of(*result.clearance);
   if (result.free()) return text + "}";
   if (result.step) {
     const auto time = [&](double value) {
@@ -150,34 +160,55 @@ std::string result_json(const Result& result) {
   return text + "}";
 }
 
+namespace {
+
+/// toi and toi_upper.
+void take_times(const JsonNode& node, double& toi, double& toi_upper) {
+  toi = time_from(node.at("toi"));
+  toi_upper = time_from(node.at("toi_upper"));
+  const double next = std::nextafter(toi, std::numeric_limits<double>::infinity());
+  if (toi_upper != toi && toi_upper != next) node.at("toi_upper").fail("must be toi, or the double after it");
+}
+
+Clearance clearance_from(const JsonNode& node) {
+  node.check_keys({"distance", "toi", "toi_upper", "pairs", "pair"});
+  Clearance clearance;
+  const JsonNode distance = node.at("distance");
+  if (distance.is_null()) return clearance;
+  const auto value = io::parse_finite_double(distance.text());
+  if (!value || *value < 0) distance.fail("must be null or a hexfloat, 0 or greater");
+  clearance.distance = *value;
+  if (!node.has("pair")) return clearance;
+  take_times(node, clearance.toi, clearance.toi_upper);
+  clearance.pairs = node.at("pairs").whole_number(1, std::uint64_t{1} << 63);
+  clearance.pair = pair_from(node.at("pair"));
+  return clearance;
+}
+
+}  // namespace
+
 Result result_from(const JsonNode& node) {
   Result result;
   result.step = node.has("from");
   if (result.step) {
     node.check_keys({"from", "to", "free", "turning_faces", "toi", "toi_upper", "first", "at_start", "intersections",
-                     "coinciding_vertices"});
+                     "coinciding_vertices", "clearance"});
     if (const auto turning = node.find("turning_faces")) result.turning = turning->whole_number(1, kMostNumber);
   } else {
     node.check_keys({"frame", "free", "enclosed_parts", "flat_faces", "parts_in_open_surfaces", "intersections",
-                     "coinciding_vertices"});
+                     "coinciding_vertices", "clearance"});
     if (const auto enclosed = node.find("enclosed_parts")) result.enclosed = enclosed_from(*enclosed);
     if (const auto flat = node.find("flat_faces")) result.flat = flat->whole_number(1, kMostNumber);
     if (const auto parts = node.find("parts_in_open_surfaces")) result.in_open = parts->whole_number(1, kMostNumber);
   }
   result.frame = node.at(result.step ? "from" : "frame").whole_number(0, kMostFrames);
   if (result.step) node.at("to").whole_number(result.frame + 1, result.frame + 1);
+  if (const auto clearance = node.find("clearance")) result.clearance = clearance_from(*clearance);
   if (node.at("free").boolean()) return result;
   if (result.step) {
     result.first = list_from<PairContact>(node.at("first"), pair_from);
     result.at_start = list_from<PairContact>(node.at("at_start"), pair_from);
-    if (!result.first.empty()) {
-      result.toi = time_from(node.at("toi"));
-      result.toi_upper = time_from(node.at("toi_upper"));
-      const double next = std::nextafter(result.toi, std::numeric_limits<double>::infinity());
-      if (result.toi_upper != result.toi && result.toi_upper != next) {
-        node.at("toi_upper").fail("must be toi, or the double after it");
-      }
-    }
+    if (!result.first.empty()) take_times(node, result.toi, result.toi_upper);
     if (result.first.empty() && result.at_start.empty()) node.fail("is a step that is not free, without a contact");
   }
   result.intersections = list_from<RestContact>(node.at("intersections"), rest_from);

@@ -123,6 +123,7 @@ std::vector<std::string> warnings_of(const Heading& heading, const std::vector<F
         fmt::format("whether solids touch at {} that several share was not asked: equal corners were joined",
                     counted(joined, "vertex")));
   }
+  for (const std::string& text : left_out_by(heading.parts)) warnings.push_back(text);
   if (counts.flat > 0) {
     warnings.push_back(fmt::format("{}{} {} flat: that edges of one face lie on each other is no intersection",
                                    counted(counts.flat, "face"), counts.results > 1 && rest ? " of a frame" : "",

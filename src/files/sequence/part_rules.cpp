@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: MIT
+#include "sequence/part_rules.hpp"
+
+#include <fmt/format.h>
+#include <fnmatch.h>
+
+#include <algorithm>
+#include <cstddef>
+
+#include "io/counted.hpp"
+#include "io/fail.hpp"
+
+namespace touchstone::sequence {
+namespace {
+
+constexpr std::size_t kShown = 10;  // of the parts in a message, and of the pairs in a verdict
+
+std::vector<std::size_t> parts_like(const std::vector<std::string>& parts, const std::string& pattern) {
+  std::vector<std::size_t> found;
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    if (parts[i] == pattern || fnmatch(pattern.c_str(), parts[i].c_str(), 0) == 0) found.push_back(i);
+  }
+  return found;
+}
+
+std::string parts_for_person(const std::vector<std::string>& parts) {
+  std::string text;
+  for (std::size_t i = 0; i < std::min(kShown, parts.size()); ++i) {
+    text += (i == 0 ? "" : ", ") + io::shortened(io::printable(parts[i]));
+  }
+  return parts.size() > kShown ? text + fmt::format(" and {} more", parts.size() - kShown) : text;
+}
+
+/// The pairs that "A,B" names. A name may have commas itself.
+std::vector<std::array<std::size_t, 2>> pairs_like(const std::vector<std::string>& parts, const std::string& text,
+                                                   const std::string& file) {
+  std::vector<std::array<std::size_t, 2>> pairs;
+  std::size_t ways = 0;
+  for (std::size_t comma = text.find(','); comma != std::string::npos; comma = text.find(',', comma + 1)) {
+    const auto first = parts_like(parts, text.substr(0, comma)), second = parts_like(parts, text.substr(comma + 1));
+    ways += first.empty() || second.empty() ? 0 : 1;
+    for (const std::size_t a : first) {
+      for (const std::size_t b : second) pairs.push_back({std::min(a, b), std::max(a, b)});
+    }
+  }
+  if (ways == 1) return pairs;
+  io::fail(file,
+           fmt::format("'{}' {}: it must be two names of parts, such as A,B, or patterns; the parts are {}",
+                       io::shortened(io::printable(text)),
+                       ways == 0 ? "names no two parts" : "names parts in several ways", parts_for_person(parts)));
+}
+
+}  // namespace
+
+PartRules part_rules_of(const frames::Topology& topology, const PartOptions& options, const std::string& file) {
+  PartRules rules;
+  if (options.empty()) return rules;
+  if (topology.parts.empty()) io::fail(file, "names no parts: objects or groups (`o` or `g` lines of an OBJ file)");
+  rules.within = !options.between_parts;
+  if (!options.only_between.empty()) rules.rule = GroupRule::only_listed;
+  std::vector<std::array<std::size_t, 2>> pairs;
+  for (const auto& text : options.only_between.empty() ? options.ignored : options.only_between) {
+    for (const auto& pair : pairs_like(topology.parts, text, file)) pairs.push_back(pair);
+  }
+  for (const auto& [a, b] : pairs) {
+    rules.pairs.push_back({io::printable(topology.parts[a]), io::printable(topology.parts[b])});
+  }
+  std::sort(rules.pairs.begin(), rules.pairs.end());
+  rules.pairs.erase(std::unique(rules.pairs.begin(), rules.pairs.end()), rules.pairs.end());
+  return rules;
+}
+
+CollisionRules collision_rules(const frames::Topology& topology, const PartRules& rules, const std::string& file) {
+  CollisionRules collision;
+  if (rules.empty()) return collision;
+  const auto none = static_cast<MeshIndex>(topology.parts.size());
+  collision.groups.assign(topology.vertex_count, none);
+  for (std::size_t f = 0; f < topology.face_parts.size(); ++f) {
+    for (const MeshIndex corner : topology.faces[f]) {
+      MeshIndex& group = collision.groups[corner];
+      if (group != none && group != topology.face_parts[f]) {
+        io::fail(file, fmt::format("vertex {} is in the parts {} and {}: elements there are of both. Parts that are "
+                                   "asked about one by one must not share vertices",
+                                   corner + topology.first_number, io::printable(topology.parts[group]),
+                                   io::printable(topology.parts[topology.face_parts[f]])));
+      }
+      group = topology.face_parts[f];
+    }
+  }
+  collision.group_rule = rules.rule;
+  const auto number = [&](const std::string& name) {
+    const auto found = std::find_if(topology.parts.begin(), topology.parts.end(),
+                                    [&](const std::string& part) { return io::printable(part) == name; });
+    return static_cast<MeshIndex>(found - topology.parts.begin());
+  };
+  for (const auto& [a, b] : rules.pairs) collision.group_pairs.push_back({number(a), number(b)});
+  if (rules.within) return collision;
+  for (MeshIndex group = 0; group <= none; ++group) collision.group_pairs.push_back({group, group});
+  return collision;
+}
+
+std::vector<std::string> left_out_by(const PartRules& rules) {
+  std::vector<std::string> texts;
+  if (!rules.within) texts.push_back("pairs within one part were left out");
+  if (rules.rule == GroupRule::all_but_listed && rules.pairs.empty()) return texts;
+  std::string names;
+  for (std::size_t i = 0; i < std::min(kShown, rules.pairs.size()); ++i) {
+    names += fmt::format("{}{} and {}", i == 0 ? "" : ", ", rules.pairs[i][0], rules.pairs[i][1]);
+  }
+  if (rules.pairs.size() > kShown)
+    names += fmt::format(" and {} more", io::counted(rules.pairs.size() - kShown, "pair"));
+  texts.push_back(rules.rule == GroupRule::only_listed ? "nothing but these parts was asked about: " + names
+                                                       : "these parts were not asked about: " + names);
+  return texts;
+}
+
+}  // namespace touchstone::sequence

@@ -1,0 +1,46 @@
+// Which parts of a mesh are asked about: its objects and groups, by their names.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include <touchstone/mesh.hpp>
+
+#include "frames/frame.hpp"
+
+namespace touchstone::sequence {
+
+/// As a user gives it. A name may be a pattern with * ? [.
+struct PartOptions {
+  std::vector<std::string> ignored = {};       ///< "A,B": A and B are not asked about
+  std::vector<std::string> only_between = {};  ///< "A,B": nothing but A and B is asked about
+  bool between_parts = false;                  ///< whether pairs within one part are left out
+
+  bool empty() const noexcept { return ignored.empty() && only_between.empty() && !between_parts; }
+};
+
+/// The same for one mesh: names that it has.
+struct PartRules {
+  GroupRule rule = GroupRule::all_but_listed;
+  bool within = true;                             ///< whether pairs within one part are asked about, beside the list
+  std::vector<std::array<std::string, 2>> pairs;  ///< of parts, in ascending order
+
+  bool empty() const noexcept { return rule == GroupRule::all_but_listed && within && pairs.empty(); }
+  bool operator==(const PartRules& other) const = default;
+};
+
+/// @param file  the name for messages
+/// @throws FileError  for a mesh without parts, or a name or pattern that none of its parts has
+PartRules part_rules_of(const frames::Topology& topology, const PartOptions& options, const std::string& file);
+
+/// The rules as vertices have them. Vertices in no face are a part without a name, which only a list of pairs to ask
+/// about leaves out.
+/// @throws FileError  for a vertex that two parts share: they cannot be told apart there
+CollisionRules collision_rules(const frames::Topology& topology, const PartRules& rules, const std::string& file);
+
+/// What the rules leave out, for a verdict: "pairs within one part were left out". Empty if that is nothing.
+std::vector<std::string> left_out_by(const PartRules& rules);
+
+}  // namespace touchstone::sequence
