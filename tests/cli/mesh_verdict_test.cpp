@@ -85,8 +85,8 @@ TEST_CASE("vertices that lie on others are counted where contacts are found, and
   const std::string split = "v 0 0 0\nv 1 0 -0\nv 0 1 0\nv 1 0 0\nv 1 1 0\nv -0 1 0\nv 0 1 0\nf 1 2 3\nf 4 5 6\n",
                     one = folder.write("s-1.obj", split), two = folder.write("s-2.obj", split);
   const std::string cause =
-      "4 of 7 vertices lie exactly on others: elements that meet there count as contacts; join such vertices before "
-      "(merge vertices by distance 0 in the program that wrote the file)";
+      "4 of 7 vertices lie exactly on others: elements that meet there count as contacts; --weld joins such "
+      "vertices";
   const Run run = mesh({one, two, "--report", folder.path("r.json")});
   CHECK(run.status == 1);
   CHECK(occurrences(run.out, "s-1.obj: 6 intersections\n  4 vertices lie exactly on others\n") == 1);
@@ -96,6 +96,13 @@ TEST_CASE("vertices that lie on others are counted where contacts are found, and
   CHECK(report["results"][1]["coinciding_vertices"] == 4);
   CHECK(report["warnings"].back() == cause);
   CHECK(occurrences(mesh({"--check", two}).out, cause) == 1);
+  const Run welded = mesh({"--weld", one, two, "--report", folder.path("w.json")});
+  CHECK(welded.status == 0);
+  CHECK(
+      verdict(welded) ==
+      "1 step, all free (7 vertices, 5 edges, 2 faces); 1 vertex in no element was left out; 2 vertices were welded to "
+      "others at the same positions");
+  CHECK(nlohmann::json::parse(folder.read("w.json"))["mesh"]["welded_vertices"] == 2);
   // Joined, it is free, and a contact of another cause has no such words.
   CHECK(mesh({"--check", folder.write("j.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nf 1 2 3\nf 2 4 3\n")}).status == 0);
   const auto files = write_needles(folder, "f", 5, 5, falling_tip);

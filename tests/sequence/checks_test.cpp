@@ -125,11 +125,15 @@ TEST_CASE("elements that make no mesh are named by the numbers of the file") {
   const auto refused = [&] { return refusal_of([&] { static_cast<void>(mesh_of(topology, {}, "a/x.obj")); }); };
   CHECK(refused().empty());
   topology.faces[1] = {3, 4, 3};
-  CHECK(refused() == "a/x.obj: face 12 names vertex 4 twice; its corners must be 3 different vertices");
+  CHECK(refused() ==
+        "a/x.obj: face 12 names vertex 4 twice; its corners must be 3 different vertices (mesh "
+        "--drop-degenerate leaves such elements out)");
   topology.faces[1] = {3, 4, 9};
   CHECK(refused() == "a/x.obj: face 12 names vertex 10, and there are only 9");
   topology.faces[1] = {2, 0, 1};
-  CHECK(refused() == "a/x.obj: face 12 has the same corners as face 10, vertices 1 2 3; each face may be given once");
+  CHECK(refused() ==
+        "a/x.obj: face 12 has the same corners as face 10, vertices 1 2 3; each face may be given once (mesh "
+        "--drop-degenerate leaves the others out)");
   topology = *triangles(3);
   topology.edges = {{0, 4}, {4, 0}};
   CHECK(has(refused(), "a/x.obj: edge 5 1 has the same corners as edge 1 5, vertices 1 5"));

@@ -237,8 +237,9 @@ std::string question_for_person(Question question, const Separation& separation)
 }
 
 std::shared_ptr<const Frame> read(const FrameName& name, const frames::ReadOptions& reading,
-                                  const std::shared_ptr<const frames::Topology>& earlier) {
+                                  const std::shared_ptr<const frames::Topology>& earlier, sequence::Repairs& repairs) {
   auto frame = std::make_shared<Frame>(frames::read_frame(name.file, name.index, reading, earlier));
+  repairs.mend(*frame, name);
   sequence::check_positions(*frame, name);
   return frame;
 }
@@ -257,7 +258,8 @@ int run_mesh(const MeshRunOptions& options) {
   const int threads = thread_count(options.threads);
 
   // The first frame is read alone: the other ones share its elements.
-  const auto first = read(names[range.first], reading, nullptr);
+  sequence::Repairs repairs(options.repairs, may_differ(options));
+  const auto first = read(names[range.first], reading, nullptr, repairs);
   const std::string& first_file = elements_file(options, names[range.first]);
   heading.parts = sequence::part_rules_of(*first->topology, options.parts, first_file);
   Mesh mesh = sequence::mesh_of(*first->topology, separation, first_file, heading.parts);
@@ -288,7 +290,7 @@ int run_mesh(const MeshRunOptions& options) {
     throw_if_interrupted();
     std::future<std::shared_ptr<const Frame>> next;
     if (index + 1 < range.last) {
-      next = std::async(policy, [&, index] { return read(names[index + 1], reading, first->topology); });
+      next = std::async(policy, [&, index] { return read(names[index + 1], reading, first->topology, repairs); });
     }
     checker.take(index, std::move(frame));
     if (next.valid()) frame = next.get();

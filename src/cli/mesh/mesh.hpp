@@ -8,6 +8,7 @@
 
 #include "cli/shared/command_line/command.hpp"
 #include "cli/shared/command_line/separation_options.hpp"
+#include "sequence/repairs.hpp"
 #include "sequence/results.hpp"
 
 namespace touchstone::cli {
@@ -18,6 +19,7 @@ struct MeshRunOptions {
   bool check = false;              ///< asks about each frame at rest
   SeparationOption separation;
   sequence::PartOptions parts;
+  sequence::RepairOptions repairs;
   bool clearance = false;  ///< asks for the least distance, too
   int threads = 0;         ///< 0: all that the machine has
   std::optional<sequence::Shard> shard;

@@ -36,6 +36,11 @@ void add_mesh(CLI::App& program, Command& command) {
   subcommand->add_flag("--in-order", options->in_order,
                        "The files are the frames of one animation in the order given, whatever their names are. With "
                        "--check, each file is a frame by itself, and their elements may differ");
+  subcommand->add_flag("--weld", options->repairs.weld,
+                       "Elements name the first of the vertices at exactly one position in place of the others: for "
+                       "meshes with a vertex for each face. The first frame says which");
+  subcommand->add_flag("--drop-degenerate", options->repairs.drop_degenerate,
+                       "Leave out faces and edges that name a vertex twice, or the vertices of one before them");
   add_separation_options(*subcommand, options->separation, "The distance at which two elements are in contact");
   subcommand->get_option("--separation")->excludes(check);
   subcommand->add_flag(

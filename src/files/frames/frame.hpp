@@ -36,6 +36,9 @@ struct Topology {
 
   std::size_t joined_vertices = 0;  ///< the vertices that the reader, and not the file, gives to several parts
 
+  std::size_t welded_vertices = 0;   ///< those that elements of the file name, and others stand for (sequence::Repairs)
+  std::size_t dropped_elements = 0;  ///< the faces and edges of the file that were left out
+
   bool operator==(const Topology& other) const = default;
 };
 

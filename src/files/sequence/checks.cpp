@@ -63,7 +63,8 @@ void refuse_faults(const Topology& topology, const std::vector<std::array<MeshIn
           corners.begin() + static_cast<std::ptrdiff_t>(k)) {
         continue;
       }
-      io::fail(file, fmt::format("{} names vertex {} twice; its corners must be {} different vertices",
+      io::fail(file, fmt::format("{} names vertex {} twice; its corners must be {} different vertices (mesh "
+                                 "--drop-degenerate leaves such elements out)",
                                  element_name(topology, corners, i), number_in_file(topology, corners[k]), N));
     }
   }
@@ -76,7 +77,8 @@ void refuse_faults(const Topology& topology, const std::vector<std::array<MeshIn
   for (std::size_t i = 1; i < sorted.size(); ++i) {
     if (sorted[i].first != sorted[i - 1].first) continue;
     const std::size_t one = sorted[i - 1].second, two = sorted[i].second;
-    io::fail(file, fmt::format("{} has the same corners as {}, vertices {}; each {} may be given once",
+    io::fail(file, fmt::format("{} has the same corners as {}, vertices {}; each {} may be given once (mesh "
+                               "--drop-degenerate leaves the others out)",
                                element_name(topology, elements[two], two), element_name(topology, elements[one], one),
                                corners_text(topology, sorted[i].first), kSort));
   }

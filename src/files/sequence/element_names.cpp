@@ -159,7 +159,9 @@ MeshFacts facts_of(const Mesh& mesh, const frames::Topology& topology) {
     in_edges += degree > 0 ? 1 : 0;
     if (mesh.dimension() == 3 && degree > 1) facts.neighbours += degree * (degree - 1) / 2;
   }
-  facts.idle = facts.vertices - in_edges - facts.points;
+  facts.welded = topology.welded_vertices;
+  facts.dropped = topology.dropped_elements;
+  facts.idle = facts.vertices - in_edges - facts.points - facts.welded;
   if (mesh.dimension() == 2) facts.polygons = closed_polygons(mesh, degrees);
   facts.branching = mesh::Pieces(mesh.impl(), mesh::Motion(facts.vertices)).branching();
   facts.joined = topology.joined_vertices;

@@ -45,13 +45,16 @@ std::string shown_facts(const std::optional<MeshFacts>& facts) {
 }
 
 std::string json_of(const MeshFacts& facts) {
-  return fmt::format(
+  std::string text = fmt::format(
       "\"mesh\": {{\"sha256\": \"{}\", \"dimension\": {}, \"vertices\": {}, \"faces\": {}, \"edges\": {}, \"points\": "
       "{}, "
       "\"idle_vertices\": {}, \"pairs_with_common_vertex\": {}, \"closed_polygons\": {}, \"branching_surfaces\": {}, "
-      "\"joined_vertices\": {}}}",
+      "\"joined_vertices\": {}",
       facts.digest, facts.dimension, facts.vertices, facts.faces, facts.edges, facts.points, facts.idle,
       facts.neighbours, facts.polygons, facts.branching, facts.joined);
+  if (facts.welded > 0) text += fmt::format(", \"welded_vertices\": {}", facts.welded);
+  if (facts.dropped > 0) text += fmt::format(", \"dropped_elements\": {}", facts.dropped);
+  return text + "}";
 }
 
 }  // namespace

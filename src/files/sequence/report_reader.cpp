@@ -24,7 +24,8 @@ constexpr std::uint64_t kMostPairs = std::uint64_t{1} << 63;
 
 MeshFacts facts_from(const JsonNode& node) {
   node.check_keys({"sha256", "dimension", "vertices", "faces", "edges", "points", "idle_vertices",
-                   "pairs_with_common_vertex", "closed_polygons", "branching_surfaces", "joined_vertices"});
+                   "pairs_with_common_vertex", "closed_polygons", "branching_surfaces", "joined_vertices",
+                   "welded_vertices", "dropped_elements"});
   const auto count = [&](const char* key) {
     return static_cast<std::size_t>(node.at(key).whole_number(0, kMostElements));
   };
@@ -40,6 +41,8 @@ MeshFacts facts_from(const JsonNode& node) {
   facts.polygons = count("closed_polygons");
   facts.branching = count("branching_surfaces");
   facts.joined = count("joined_vertices");
+  if (const auto welded = node.find("welded_vertices")) facts.welded = welded->whole_number(1, facts.vertices);
+  if (const auto dropped = node.find("dropped_elements")) facts.dropped = dropped->whole_number(1, kMostElements);
   return facts;
 }
 

@@ -170,6 +170,8 @@ struct MeshFacts {
   std::size_t polygons = 0;    ///< closed polygons in the plane, beside anything else: no one asks what is inside them
   std::size_t branching = 0;   ///< surfaces with an edge of three faces or more: what is inside what is not known there
   std::size_t joined = 0;      ///< vertices at which the reader joined solids: no one asks whether they touch there
+  std::size_t welded = 0;      ///< vertices for which others at the same positions stand, on request
+  std::size_t dropped = 0;     ///< faces and edges of the file that are none, and were left out on request
 
   /// Whether there are edges or faces.
   bool has_elements() const noexcept { return edges > 0; }

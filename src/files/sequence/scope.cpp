@@ -22,9 +22,9 @@ struct Meshes {
 
   void add(const MeshFacts& facts) {
     ++count;
-    for (const auto member :
-         {&MeshFacts::vertices, &MeshFacts::edges, &MeshFacts::faces, &MeshFacts::points, &MeshFacts::idle,
-          &MeshFacts::neighbours, &MeshFacts::polygons, &MeshFacts::branching, &MeshFacts::joined}) {
+    for (const auto member : {&MeshFacts::vertices, &MeshFacts::edges, &MeshFacts::faces, &MeshFacts::points,
+                              &MeshFacts::idle, &MeshFacts::neighbours, &MeshFacts::polygons, &MeshFacts::branching,
+                              &MeshFacts::joined, &MeshFacts::welded, &MeshFacts::dropped}) {
       sum.*member += facts.*member;
     }
     if (!facts.has_pairs()) {
@@ -124,6 +124,14 @@ std::vector<std::string> warnings_of(const Heading& heading, const std::vector<F
                     counted(joined, "vertex")));
   }
   for (const std::string& text : left_out_by(heading.parts)) warnings.push_back(text);
+  if (const std::size_t welded = meshes.sum.welded; welded > 0) {
+    warnings.push_back(fmt::format("{} {} welded to others at the same positions", counted(welded, "vertex"),
+                                   welded == 1 ? "was" : "were"));
+  }
+  if (const std::size_t dropped = meshes.sum.dropped; dropped > 0) {
+    warnings.push_back(fmt::format("{} of the file {} left out: a vertex twice, or the vertices of another one",
+                                   counted(dropped, "element"), dropped == 1 ? "was" : "were"));
+  }
   if (counts.flat > 0) {
     warnings.push_back(fmt::format("{}{} {} flat: that edges of one face lie on each other is no intersection",
                                    counted(counts.flat, "face"), counts.results > 1 && rest ? " of a frame" : "",
@@ -144,8 +152,8 @@ std::string likely_cause(const Heading& heading, const ResultCounts& counts) {
   if (counts.coinciding == 0) return {};
   const std::string of = heading.facts ? " of " + io::grouped(heading.facts->vertices) : std::string();
   return fmt::format(
-      "{}{} vertices lie exactly on others: elements that meet there count as contacts; join such vertices before "
-      "(merge vertices by distance 0 in the program that wrote the file)",
+      "{}{} vertices lie exactly on others: elements that meet there count as contacts; --weld joins such "
+      "vertices",
       io::grouped(counts.coinciding), of);
 }
 
