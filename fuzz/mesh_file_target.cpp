@@ -69,7 +69,7 @@ void fuzz_mesh_file(Bytes input) {
   const unsigned choice = input.front();
   const std::string_view content = as_text(input.subspan(1));
   const bool triangulate = choice % 2 != 0;
-  const auto format = static_cast<frames::Format>(choice / 2 % 5);
+  const auto format = static_cast<frames::Format>(choice / 2 % 7);
   try {
     if (format == frames::Format::npy) {
       check_topology(frames::topology_from("input.npy", content, kShape, triangulate));

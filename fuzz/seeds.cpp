@@ -125,7 +125,12 @@ std::vector<std::string> mesh_file_seeds() {
       "\6# vtk DataFile Version 4.2\n" + vtk + "1 3\n" + std::string("\0\0\0\2\0\0\0\0\0\0\0\1", 12),
       "\6# vtk DataFile Version 5.1\n" + vtk + "2 2\nOFFSETS vtktypeint32\n" + std::string("\0\0\0\0\0\0\0\2", 8) +
           "\nCONNECTIVITY vtktypeint32\n" + std::string("\0\0\0\0\0\0\0\1", 8),
-      std::string("\10\x93NUMPY\1\0\73\0", 11) + "{'descr': '|u1', 'fortran_order': False, 'shape': (1, 3), }" +
+      "\11COFF 4 3 0 # c\n0 0 0 1\n1 0 0\n0 1 0\n1 1 .5\n3 0 1 2\n4 0 1 3 2 1\n2 0 3\n",
+      "\12$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n4\n1 0 0 0\n2 1 0 0\n3 0 1 0\n4 0 0 1\n$EndNodes\n"
+      "$Elements\n2\n1 4 2 1 1 1 2 3 4\n2 1 0 1 2\n$EndElements\n",
+      "\12$MeshFormat\n4.1 0 8\n$EndMeshFormat\n$Nodes\n1 3 1 3\n2 1 0 3\n1\n2\n3\n0 0 0\n1 0 0\n0 1 0\n"
+      "$EndNodes\n$Elements\n1 1 1 1\n2 1 2 1\n1 1 2 3\n$EndElements\n",
+      std::string("\14\x93NUMPY\1\0\73\0", 11) + "{'descr': '|u1', 'fortran_order': False, 'shape': (1, 3), }" +
           std::string("\0\1\5", 3)};
 }
 

@@ -166,7 +166,8 @@ std::vector<Fault> vtk_faults() {
       {"a.vtk", replaced(text, "POLYGONS 2 8", "POLYGONS 2 7"), "more integers than the section announces"},
       {"a.vtk", replaced(text, "3 0\n2 3\n", "3 0\n2 3.5\n"), "'3.5' is no integer"},
       {"a.vtk", replaced(text, "NAMES 2 2 int", "NAMES 2 2 string"), "type 'string', which is not read"},
-      {"a.vtk", replaced(grid, "\n5 7\n3\n1\n", "\n5 10\n3\n1\n"), ": cell 1 has the type 10"},
+      {"a.vtk", replaced(grid, "\n5 7\n3\n1\n", "\n5 12\n3\n1\n"), ": cell 1 has the type 12"},
+      {"a.vtk", replaced(grid, "\n5 7\n3\n1\n", "\n5 10\n3\n1\n"), ": cell 1 of type 10 has 3 corners; right are 4"},
       {"a.vtk", replaced(grid, "\n5 7\n3\n1\n", "\n3 7\n3\n1\n"), ": cell 0 of type 3 has 3 corners"},
       {"a.vtk", grid.substr(0, grid.find("CELL_TYPES")), "4 CELLS and 0 CELL_TYPES"},
       {"a.vtk", binary.substr(0, binary.size() - 3), "announces 8 items, and is too short"},
@@ -174,6 +175,52 @@ std::vector<Fault> vtk_faults() {
       {"a.vtk", replaced(offsets, "0 3 6\n", "0 3 5\n"), "the last offset is 5"},
       {"a.vtk", replaced(offsets, "0 3 6\n", "1 3 6\n"), "offset 0 is 1"},
       {"a.vtk", replaced(offsets, "CONNECTIVITY int", "CONNECTIVITY float"), "type 'float'"},
+  };
+}
+
+std::vector<Fault> off_faults() {
+  const std::string text = sample_called("colours.off").content;
+  return {
+      {"a.off", "", ": is empty"},
+      {"a.off", "# only\n", ": is empty"},
+      {"a.off", "OFX\n", ":1: begins with 'OFX'; right are OFF, COFF"},
+      {"a.off", "OFF BINARY\n", ":1: the number of vertices: 'BINARY' is no integer"},
+      {"a.off", "OFF\n", "the file ends before the number of vertices"},
+      {"a.off", "OFF\n-1 0 0\n", ":2: the number of vertices is negative"},
+      {"a.off", replaced(text, "6 4 0", "7 4 0"), "the file ends before the last face"},
+      {"a.off", replaced(text, "6 4 0", "6 5 0"), "the file ends before the last face"},
+      {"a.off", replaced(text, "6 4 0", "6 3 0"), "more lines than 6 vertices and 3 faces"},
+      {"a.off", replaced(text, "6 4 0", "600 4 0"), "announces 600 items, and is too short"},
+      {"a.off", replaced(text, " 255 0 0 255", " 255 red"), "'red' is no finite number"},
+      {"a.off", replaced(text, "3 0 2 3", "3 0 2 6"), "vertex 6 does not exist"},
+      {"a.off", replaced(text, "3 0 2 3", "3 0 -2 3"), "vertex -2 does not exist"},
+      {"a.off", replaced(text, "3 0 2 3", "4 0 2 3 1"), "face 1 has 4 corners"},
+      {"a.off", replaced(text, "3 0 2 3", "5 0 2 3 1"), "the line ends before a corner of a face"},
+      {"a.off", replaced(text, "3 0 2 3", "0"), "a face of 0 corners"},
+  };
+}
+
+std::vector<Fault> msh_faults() {
+  const std::string text = sample_called("two.msh").content, blocks = sample_called("four.msh").content;
+  return {
+      {"a.msh", "", ": has no $Elements"},
+      {"a.msh", "ply\n", ":2: 'ply' where a section should be"},
+      {"a.msh", "$Nodes\n", "$MeshFormat is not the first section"},
+      {"a.msh", replaced(text, "2.2", "2.1"), "version '2.1'; 2.2 and 4.1 are read"},
+      {"a.msh", replaced(text, "2.2 0", "2.2 1"), "a binary file"},
+      {"a.msh", replaced(text, "$EndNodes", "$EndNode"), "'$EndNode' where $EndNodes should be"},
+      {"a.msh", replaced(text, "$NodeData", "$Nodedata"), "the section 'Nodedata' is not known"},
+      {"a.msh", replaced(text, "$EndNodeData", ""), "the file ends before $EndNodeData"},
+      {"a.msh", text.substr(0, text.find("$Elements")), "has no $Elements"},
+      {"a.msh", replaced(text, "$Nodes\n6", "$Nodes\n7"), "'$EndNodes' is no integer"},
+      {"a.msh", replaced(text, "$Nodes\n6", "$Nodes\n600"), ":9: announces 600 items, and is too short"},
+      {"a.msh", replaced(text, "\n8 ", "\n7 "), "node 7 is there twice"},
+      {"a.msh", replaced(text, "1 7 8 9\n", "1 7 8 13\n"), "node 13 does not exist"},
+      {"a.msh", replaced(text, "0 2 2 1 1 7", "-1 2 2 1 1 7"), "element -1: numbers are from 0"},
+      {"a.msh", replaced(text, "0 2 2 1 1 7", "0 5 2 1 1 7"), "element 0 has the type 5; 1 to 4 and 15 are read"},
+      {"a.msh", replaced(blocks, "2 1 0 6\n", "2 1 1 6\n"), "parametric nodes are not read"},
+      {"a.msh", replaced(blocks, "3 4 0 3\n", "2 4 0 3\n"), "where $EndElements should be"},
+      {"a.msh", text + "$Nodes\n", "$Nodes are there twice"},
   };
 }
 
@@ -211,7 +258,8 @@ std::vector<Fault> npy_faults() {
 TEST_CASE("each fault is an error with its place and reason, on one line") {
   const TemporaryFolder folder;
   std::vector<Fault> faults;
-  for (const auto& list : {obj_faults(), ply_faults(), stl_faults(), vtk_faults(), npy_faults()}) {
+  for (const auto& list :
+       {obj_faults(), ply_faults(), stl_faults(), vtk_faults(), off_faults(), msh_faults(), npy_faults()}) {
     faults.insert(faults.end(), list.begin(), list.end());
   }
   for (const Fault& fault : faults) {

@@ -70,7 +70,7 @@ TEST_CASE("every format gives the coordinates bit for bit, and the elements") {
     CHECK(frame_count(folder.path(sample.name), {}) == 1);
     CHECK_THROWS_AS(read_frame(folder.path(sample.name), 1, {}), FileError);
   }
-  CHECK(names.size() == 12);
+  CHECK(names.size() == 16);
 }
 
 TEST_CASE("the ending of a name says the format in either case") {
@@ -114,6 +114,47 @@ TEST_CASE("polygons are cut into triangles on request, and keep their numbers") 
   const Frame cells = read(folder, "a.vtk", grid, kTriangulate);
   CHECK(cells.topology->faces == Faces{{0, 1, 2}, {0, 2, 3}, {0, 1, 2}});
   CHECK(cells.topology->face_numbers == Indices{1, 1, 2});
+}
+
+TEST_CASE("the surface of tetrahedra is kept, turned outwards, and triangles of the file are not there twice") {
+  const TemporaryFolder folder;
+  // Two tetrahedra on both sides of the triangle 1 2 3.
+  const std::string points = "0 0 0 1 0 0 0 1 0 0 0 1 1 1 1\n";
+  const std::string grid = "# vtk DataFile Version 3.0\n\nASCII\nDATASET UNSTRUCTURED_GRID\nPOINTS 5 double\n" + points;
+  const Frame two = read(folder, "two.vtk", grid + "CELLS 2 10\n4 0 1 2 3\n4 1 2 3 4\nCELL_TYPES 2\n10\n10\n");
+  REQUIRE(two.topology->faces.size() == 6);
+  for (const auto& [a, b, c] : two.topology->faces) {
+    // The product with the way from the middle of all to a corner: outwards.
+    const double* const x = two.positions.data();
+    std::array<double, 3> u, w, out;
+    for (std::size_t k = 0; k < 3; ++k) {
+      u[k] = x[3 * b + k] - x[3 * a + k];
+      w[k] = x[3 * c + k] - x[3 * a + k];
+      out[k] = x[3 * a + k] - 0.4;
+    }
+    const double volume = out[0] * (u[1] * w[2] - u[2] * w[1]) + out[1] * (u[2] * w[0] - u[0] * w[2]) +
+                          out[2] * (u[0] * w[1] - u[1] * w[0]);
+    CHECK(volume > 0);
+  }
+  CHECK(two.topology->face_numbers == Indices{0, 0, 0, 1, 1, 1});
+  const Frame given =
+      read(folder, "given.vtk", grid + "CELLS 3 14\n4 0 1 2 3\n3 2 1 0\n4 1 2 3 4\nCELL_TYPES 3\n10\n5\n10\n");
+  CHECK(given.topology->faces.size() == 6);
+  CHECK(given.topology->faces.front() == std::array<MeshIndex, 3>{2, 1, 0});
+  try {
+    read(folder, "three.vtk", grid + "CELLS 3 15\n4 0 1 2 3\n4 1 2 3 4\n4 2 1 3 0\nCELL_TYPES 3\n10\n10\n10\n");
+    FAIL("a face of three tetrahedra");
+  } catch (const FileError& error) {
+    CHECK(std::string(error.what()).find("tetrahedra 0, 1 and 2 share the face of the vertices 1, 2 and 3") !=
+          std::string::npos);
+  }
+  const Frame msh =
+      read(folder, "t.msh",
+           "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n4\n1 0 0 0\n2 1 0 0\n3 0 1 0\n4 0 0 1\n$EndNodes\n"
+           "$Elements\n2\n7 4 0 1 2 3 4\n9 2 0 1 2 3\n$EndElements\n");
+  CHECK(msh.topology->first_number == 1);
+  CHECK(msh.topology->faces.size() == 4);
+  CHECK(msh.topology->face_numbers == Indices{9, 7, 7, 7});
 }
 
 TEST_CASE("a file without elements has loose points") {

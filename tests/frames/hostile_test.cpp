@@ -190,6 +190,7 @@ TEST_CASE("counts that no file can hold ask for no memory") {
       "ply\nformat binary_big_endian 1.0\nelement vertex 1\nproperty char x\nproperty char y\n"
       "property char z\n";
   const std::string vtk = "# vtk DataFile Version 3.0\n\nASCII\nDATASET POLYDATA\n";
+  const std::string msh = "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n";
   const std::string points = vtk + "POINTS 1 float\n0 0 0\n";
   const std::string newer =
       "# vtk DataFile Version 5.1\n\nBINARY\nDATASET POLYDATA\nPOINTS 1 float\n" + std::string(12, '\0');
@@ -218,6 +219,12 @@ TEST_CASE("counts that no file can hold ask for no memory") {
         {"a.npy", npy("<f8", false, "(" + count + ", 3)", std::string(24, '\0'))},
         {"a.npy", npy("<f8", false, "(" + count + ", " + count + ", 3)", std::string(24, '\0'))},
         {"a.npy", npy("<f4", true, "(3, " + count + ", 2)", std::string(24, '\0'))},
+        {"a.off", "OFF " + count + " 0 0\n0 0 0\n"},
+        {"a.off", "OFF 1 " + count + " 0\n0 0 0\n1 0\n"},
+        {"a.off", "OFF 1 1 0\n0 0 0\n" + count + " 0\n"},
+        {"a.msh", msh + count + "\n1 0 0 0\n"},
+        {"a.msh", msh + "1\n1 0 0 0\n$EndNodes\n$Elements\n" + count + "\n1 15 0 1\n"},
+        {"a.msh", msh + "1\n1 0 0 0\n$EndNodes\n$Elements\n1\n1 15 " + count + " 1\n$EndElements\n"},
         {"a.obj", "v 0 0 0\nf 1 1 " + count + "\n"},
         {"a.obj", "v 0 0 0\nf 1 1 1/" + count + "x\n"},
         {"a.stl", std::string(80, '\0') + std::string("\xFF\xFF\xFF\xFF", 4) + std::string(50, '\0')},
@@ -230,7 +237,7 @@ TEST_CASE("counts that no file can hold ask for no memory") {
       CHECK(counts.frames == frames + (is_last_vertex ? 2 : 0));
     }
   }
-  CHECK(counts.errors >= 2 * 8 * 22 - 2);
+  CHECK(counts.errors >= 2 * 8 * 28 - 2);
 }
 
 TEST_CASE("a million faces on one line, and numbers of a million digits") {

@@ -130,6 +130,48 @@ Sample vtk_offsets_text() {
           false, true, false};
 }
 
+/// Faces and the edge, with comments, colours and an empty line.
+Sample off() {
+  return {"mesh.off",
+          "# a comment\nOFF\n6 3 0 # counts\n" + rows(kDoubles, "", " # a vertex\n") +
+              "\n3 0 1 2\n3 0 2 3 0.5 0.5 1\n2 3 4\n",
+          false, true, false};
+}
+
+Sample off_of_colours() {
+  return {"colours.off", "COFF 6 4 0\n" + rows(kDoubles, "", " 255 0 0 255\n") + "3 0 1 2\n3 0 2 3\n2 3 4\n1 5", false,
+          true, true};
+}
+
+/// The tags of nodes and elements begin with `first`.
+std::string msh_rows(int first) {
+  std::string text;
+  for (std::size_t v = 0; v < kVertices; ++v) {
+    text += std::to_string(first + static_cast<int>(v)) + ' ' + decimal(kDoubles[3 * v]) + ' ' +
+            decimal(kDoubles[3 * v + 1]) + ' ' + decimal(kDoubles[3 * v + 2]) + '\n';
+  }
+  return text;
+}
+
+Sample msh2() {
+  return {"two.msh",
+          "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$PhysicalNames\n1\n2 1 \"a $b\"\n$EndPhysicalNames\n$Nodes\n6\n" +
+              msh_rows(7) + "$EndNodes\n$Elements\n4\n0 2 2 1 1 7 8 9\n1 2 2 1 1 7 9 10\n2 1 0 10 11\n3 15 1 4 12\n" +
+              "$EndElements\n$NodeData\n1\n\"x\"\n$EndNodeData\n",
+          false, true, true};
+}
+
+Sample msh4() {
+  std::string positions = rows(kDoubles, "");
+  return {"four.msh",
+          "$MeshFormat\n4.1 0 8\n$EndMeshFormat\n$Entities\n0 0 1 0\n$EndEntities\n$Nodes\n1 6 2 12\n2 1 0 "
+          "6\n2\n4\n6\n8\n10\n12\n" +
+              positions +
+              "$EndNodes\n$Elements\n3 4 0 3\n2 1 2 2\n0 2 4 6\n1 2 6 8\n1 1 1 1\n2 8 10\n0 1 15 1\n3 12\n" +
+              "$EndElements\n",
+          false, true, true};
+}
+
 }  // namespace
 
 std::string decimal(double value) {
@@ -150,7 +192,11 @@ std::vector<Sample> mesh_samples() {
           vtk_grid(),
           vtk_binary(),
           vtk_offsets(),
-          vtk_offsets_text()};
+          vtk_offsets_text(),
+          off(),
+          off_of_colours(),
+          msh2(),
+          msh4()};
 }
 
 std::string npy(std::string_view descr, bool fortran, std::string_view shape, const std::string& values, int version) {

@@ -16,10 +16,12 @@ io::WholeFile read_content(const std::string& file, io::InputFile::Checkpoint ch
 }
 
 Format format_of(const std::string& file) {
-  constexpr std::array<std::pair<std::string_view, Format>, 7> kEndings = {{{".obj", Format::obj},
+  constexpr std::array<std::pair<std::string_view, Format>, 9> kEndings = {{{".obj", Format::obj},
                                                                             {".ply", Format::ply},
                                                                             {".stl", Format::stl},
                                                                             {".vtk", Format::vtk},
+                                                                            {".off", Format::off},
+                                                                            {".msh", Format::msh},
                                                                             {".npy", Format::npy},
                                                                             {".h5", Format::hdf5},
                                                                             {".hdf5", Format::hdf5}}};
@@ -29,7 +31,10 @@ Format format_of(const std::string& file) {
       return format;
     }
   }
-  io::fail(file, "has an ending that is not known; right are .obj, .ply, .stl, .vtk, .npy, .h5 and .hdf5");
+  io::fail(
+      file,
+      "has an ending that is not known; right are .obj, .ply, .stl, .vtk, .off, .msh, .npy, .h5 and .hdf5; meshio, a "
+      "program of its own, makes one of another: meshio convert a.x a.ply");
 }
 
 }  // namespace touchstone::frames

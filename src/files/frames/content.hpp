@@ -18,7 +18,7 @@ inline constexpr io::FileLimits kMeshLimits{std::uint64_t{1} << 36, std::uint64_
 ///                    of the length of a line
 io::WholeFile read_content(const std::string& file, io::InputFile::Checkpoint checkpoint);
 
-enum class Format : std::uint8_t { obj, ply, stl, vtk, npy, hdf5 };
+enum class Format : std::uint8_t { obj, ply, stl, vtk, off, msh, npy, hdf5 };
 
 /// The format that the ending of the name says, in upper or lower case. @throws FileError  for other endings
 Format format_of(const std::string& file);

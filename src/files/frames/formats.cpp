@@ -32,10 +32,12 @@ MeshFile read_mesh(Format format, std::string_view file, std::string_view conten
     case Format::ply: return read_ply(file, content, triangulate);
     case Format::stl: return read_stl(file, content);
     case Format::vtk: return read_vtk(file, content, triangulate);
+    case Format::off: return read_off(file, content, triangulate);
+    case Format::msh: return read_msh(file, content, triangulate);
     case Format::npy:
     case Format::hdf5: break;
   }
-  io::fail(file, "is no mesh file; right are .obj, .ply, .stl and .vtk");
+  io::fail(file, "is no mesh file; right are .obj, .ply, .stl, .vtk, .off and .msh");
 }
 
 Topology topology_from(const std::string& file, std::string_view content, const ArrayShape& shape, bool triangulate) {

@@ -18,8 +18,10 @@ MeshFile read_obj(std::string_view file, std::string_view content, bool triangul
 MeshFile read_ply(std::string_view file, std::string_view content, bool triangulate);
 MeshFile read_stl(std::string_view file, std::string_view content);
 MeshFile read_vtk(std::string_view file, std::string_view content, bool triangulate);
+MeshFile read_off(std::string_view file, std::string_view content, bool triangulate);
+MeshFile read_msh(std::string_view file, std::string_view content, bool triangulate);
 
-/// Calls the function of the format: obj, ply, stl or vtk.
+/// Calls the function of the format, which is no array.
 MeshFile read_mesh(Format format, std::string_view file, std::string_view content, bool triangulate);
 
 /// The topology for an array of positions, from a mesh file or an .npy file of integers.

@@ -65,7 +65,7 @@ struct ReadOptions {
 std::size_t frame_count(const std::string& file, const ReadOptions& options);
 
 /// Reads a frame. Several threads may read at the same time. The name's ending says the format: .obj, .ply, .stl, .vtk,
-/// .npy, .h5 and .hdf5.
+/// .off, .msh, .npy, .h5 and .hdf5.
 /// @param file     the file
 /// @param index    which frame of it, below frame_count
 /// @param options  how it is read

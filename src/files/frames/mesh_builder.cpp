@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "frames/mesh_builder.hpp"
 
+#include <algorithm>
 #include <limits>
 #include <numeric>
+#include <tuple>
 
 #include "io/fail.hpp"
 
@@ -35,7 +37,7 @@ void MeshBuilder::add_number(std::uint64_t number) {
     has_numbers_ = true;
   }
   topology.face_numbers.push_back(static_cast<MeshIndex>(number));
-  greatest_number_ = number;
+  greatest_number_ = std::max(greatest_number_, number);
 }
 
 void MeshBuilder::find_part() {
@@ -58,7 +60,45 @@ std::uint32_t MeshBuilder::index_of_part(const std::string& name) {
   return found->second;
 }
 
+void MeshBuilder::add_surface_of_tetrahedra(const FilePosition& position) {
+  struct Side {
+    std::array<MeshIndex, 3> sorted, corners;
+    std::uint64_t number;
+    bool operator<(const Side& other) const { return std::tie(sorted, number) < std::tie(other.sorted, other.number); }
+  };
+  const auto sorted = [](std::array<MeshIndex, 3> corners) {
+    std::sort(corners.begin(), corners.end());
+    return corners;
+  };
+  std::vector<Side> sides;
+  sides.reserve(4 * tetrahedra_.size());
+  for (const auto& [c, number] : tetrahedra_) {
+    for (const std::array<MeshIndex, 3>& side :
+         {std::array{c[0], c[2], c[1]}, {c[0], c[1], c[3]}, {c[1], c[2], c[3]}, {c[2], c[0], c[3]}}) {
+      sides.push_back({sorted(side), side, number});
+    }
+  }
+  std::vector<std::array<MeshIndex, 3>> given;
+  for (const auto& face : mesh_.topology.faces) given.push_back(sorted(face));
+  std::sort(given.begin(), given.end());
+  std::sort(sides.begin(), sides.end());
+  for (std::size_t i = 0, next = 0; i < sides.size(); i = next) {
+    while (next < sides.size() && sides[next].sorted == sides[i].sorted) ++next;
+    if (next - i > 2) {
+      const auto& [a, b, c] = sides[i].sorted;
+      position.fail("tetrahedra " + std::to_string(sides[i].number) + ", " + std::to_string(sides[i + 1].number) +
+                    " and " + std::to_string(sides[i + 2].number) + " share the face of the vertices " +
+                    std::to_string(a + mesh_.topology.first_number) + ", " +
+                    std::to_string(b + mesh_.topology.first_number) + " and " +
+                    std::to_string(c + mesh_.topology.first_number) + "; at most two can");
+    }
+    const bool is_given = std::binary_search(given.begin(), given.end(), sides[i].sorted);
+    if (next - i == 1 && !is_given) add_face(sides[i].corners, sides[i].number);
+  }
+}
+
 MeshFile MeshBuilder::finish(const FilePosition& position) {
+  if (!tetrahedra_.empty()) add_surface_of_tetrahedra(position);
   Topology& topology = mesh_.topology;
   topology.vertex_count = vertex_count();
   if (topology.vertex_count == 0) position.fail("has no vertex");

@@ -35,6 +35,9 @@ class MeshBuilder {
     mesh_.topology.first_number = first_number;
   }
 
+  /// Before the first face.
+  void set_first_number(MeshIndex first_number) noexcept { mesh_.topology.first_number = first_number; }
+
   std::vector<double>& positions() noexcept { return mesh_.positions; }
   std::size_t vertex_count() const noexcept { return mesh_.positions.size() / 3; }
   void add_vertex(double x, double y, double z) { mesh_.positions.insert(mesh_.positions.end(), {x, y, z}); }
@@ -51,6 +54,11 @@ class MeshBuilder {
   }
   void add_edge(MeshIndex a, MeshIndex b) { mesh_.topology.edges.push_back({a, b}); }
   void add_polyline(std::span<const MeshIndex> vertices, const FilePosition& position);
+  /// Of all tetrahedra the faces that are in one of them are kept, unless the file has them as triangles. Seen
+  /// from the fourth corner, the first three turn to the left.
+  void add_tetrahedron(const std::array<MeshIndex, 4>& corners, std::uint64_t number) {
+    tetrahedra_.push_back({corners, number});
+  }
   void add_point(MeshIndex vertex) { mesh_.topology.points.push_back(vertex); }
   void reserve_faces(std::size_t count) { mesh_.topology.faces.reserve(count); }
 
@@ -60,7 +68,7 @@ class MeshBuilder {
     part_is_new_ = true;
   }
 
-  /// @throws FileError  without a vertex, and for 2^32 vertices or polygons and more
+  /// @throws FileError  without a vertex, for 2^32 vertices or polygons and more, and for a face of three tetrahedra
   MeshFile finish(const FilePosition& position);
 
  private:
@@ -74,9 +82,16 @@ class MeshBuilder {
   void add_unusual_polygon(std::span<const MeshIndex> corners, std::uint64_t number, const FilePosition& position);
   void add_number(std::uint64_t number);
   void find_part();
+  void add_surface_of_tetrahedra(const FilePosition& position);
   std::uint32_t index_of_part(const std::string& name);
 
+  struct Tetrahedron {
+    std::array<MeshIndex, 4> corners;
+    std::uint64_t number;
+  };
+
   MeshFile mesh_;
+  std::vector<Tetrahedron> tetrahedra_;
   bool triangulate_;
   bool has_numbers_ = false;
   std::uint64_t greatest_number_ = 0;

@@ -1,4 +1,4 @@
-// Legacy VTK, of text and binary: POLYDATA, and UNSTRUCTURED_GRID of points, lines and polygons.
+// Legacy VTK, of text and binary: POLYDATA, and UNSTRUCTURED_GRID of points, lines, polygons and tetrahedra.
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <array>
@@ -56,7 +56,8 @@ enum CellType : std::int64_t {
   poly_line = 4,
   triangle = 5,
   polygon = 7,
-  quad = 9
+  quad = 9,
+  tetrahedron = 10
 };
 
 class VtkReader {
@@ -271,9 +272,12 @@ class VtkReader {
       case triangle: check_corners(3); return builder_.add_polygon(corners, cell, {file_});
       case quad: check_corners(4); [[fallthrough]];
       case polygon: builder_.add_polygon(corners, cell, {file_}); break;
+      case tetrahedron:
+        check_corners(4);
+        return builder_.add_tetrahedron({corners[0], corners[1], corners[2], corners[3]}, cell);
       default:
         io::fail(file_, "cell " + std::to_string(cell) + " has the type " + std::to_string(type) +
-                            "; 1 to 5 but for strips, 7 and 9 are read: points, lines, triangles and polygons");
+                            "; 1 to 5, 7, 9 and 10 are read: points, lines, triangles, polygons and tetrahedra");
     }
   }
 
