@@ -25,7 +25,7 @@ const LayerTable& layer_table() {
       {"frames", {"io", "mesh"}},
       {"dropin", {"solver"}},
       {"c_api", {"solver", "mesh"}},
-      {"python", {"solver", "exact", "fuzz", "mesh", "proofs", "view", "io", "threads", "geometry"}},
+      {"python", {"solver", "exact", "fuzz", "mesh", "proofs", "view", "io", "frames", "threads", "geometry"}},
       {"proofs", {"solver", "broad_phase", "exact", "filters", "geometry", "io", "numbers"}},
       {"checker", {}},
       {"view", {"exact", "geometry", "io", "numbers", "proofs"}},

@@ -144,6 +144,17 @@ void define_first_contact(py::module_& module) {
       });
 }
 
+void define_closest_approach(py::module_& module) {
+  define_class<ClosestApproach>(module, "ClosestApproach", "How near the elements of a mesh come to each other.")
+      .def_readonly("distance", &ClosestApproach::distance,
+                    "the least distance, rounded up; inf where no two elements may collide")
+      .def_readonly("first_contact", &ClosestApproach::first_contact,
+                    "FirstContact: that with this distance as the separation: when and where they are so near first")
+      .def("__repr__", [](const ClosestApproach& self) {
+        return "<ClosestApproach: distance " + std::string(py::repr(py::float_(self.distance))) + ">";
+      });
+}
+
 /// The outcome's name, in which '_' stands for '-' as in Python's own names.
 std::string outcome_text(StepOutcome outcome) {
   std::string name(name_of(outcome));
@@ -197,6 +208,7 @@ void define_mesh_results(py::module_& module) {
   define_pairs(module);
   define_intersections(module);
   define_first_contact(module);
+  define_closest_approach(module);
   define_free_step(module);
 }
 

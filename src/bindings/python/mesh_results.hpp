@@ -1,7 +1,9 @@
-// What questions about whole meshes return to Python: Pairs, Intersections, FirstContact, FreeStep.
+// What questions about whole meshes return to Python: Pairs, Intersections, FirstContact, FreeStep,
+// ClosestApproach.
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <touchstone/closest_approach.hpp>
 #include <touchstone/mesh.hpp>
 
 #include <vector>

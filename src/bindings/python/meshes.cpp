@@ -1,4 +1,5 @@
-// Questions about whole meshes: intersections, first_contact, all_contacts, candidates, free_step, and MeshSteps.
+// Questions about whole meshes: intersections, first_contact, all_contacts, closest_approach, candidates,
+// free_step, and MeshSteps.
 // SPDX-License-Identifier: MIT
 #include <touchstone/mesh.hpp>
 #include <touchstone/mesh_steps.hpp>
@@ -162,6 +163,10 @@ void define_meshes(py::module_& module) {
   module.def("all_contacts",
              of_step([](const Mesh& mesh, const Positions& x0, const Positions& x1, const StepOptions& options) {
                return pairs_of(all_contacts(mesh, x0, x1, options));
+             }));
+  module.def("closest_approach",
+             of_step([](const Mesh& mesh, const Positions& x0, const Positions& x1, const StepOptions& options) {
+               return closest_approach(mesh, x0, x1, options);
              }));
   module.def("candidates",
              of_step([](const Mesh& mesh, const Positions& x0, const Positions& x1, const MeshOptions& options) {

@@ -28,6 +28,7 @@ PYBIND11_MODULE(_core, module) {
   python::define_queries(module);
   python::define_mesh(module);
   python::define_meshes(module);
+  python::define_mesh_files(module);
   python::define_curved(module);
   python::define_proofs(module);
   python::define_fuzzing(module);

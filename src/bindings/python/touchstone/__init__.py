@@ -29,22 +29,25 @@ a shape or name that does not fit. The message names the argument, and the row w
 Calls run without Python's global lock, and Ctrl-C ends them with KeyboardInterrupt. Do not write to an array while a
 call reads it.
 """
-from ._core import (Answer, Answers, Distance, Distances, ExactTime, Finding, FirstContact, FreeStep, FuzzReport,
+from ._core import (Answer, Answers, ClosestApproach, Distance, Distances, ExactTime, Finding, FirstContact, FreeStep, FuzzReport,
                     Intersections, Mesh, MeshSteps, Pairs, __version__)
 from ._names import Feature, Level, Nature, Trend
 from ._queries import contact_normal, contact_times, distance, solve
 from ._curved import CurvedQueries, OnBody, OnCurves
 from ._fuzzing import fuzz
 from ._judging import Certificate, Verdict, certify
-from ._meshes import all_contacts, candidates, first_contact, free_step, intersections, intersects
+from ._mesh_files import MeshFile, read_frames, read_mesh
+from ._meshes import (all_contacts, candidates, closest_approach, first_contact, free_step, intersections,
+                      intersects)
 from ._proofs import Checked, Proofs, check, prove
 from ._display import Shown, ShownMesh, show, show_mesh
 from ._pages import save_page
 
 __all__ = [
-    "Answer", "Answers", "Certificate", "Checked", "CurvedQueries", "Distance", "Distances", "ExactTime", "Feature",
-    "Finding", "FirstContact", "FreeStep", "FuzzReport", "Intersections", "Level", "Mesh", "MeshSteps", "Nature",
-    "OnBody", "OnCurves", "Pairs", "Proofs", "Shown", "ShownMesh", "Trend", "Verdict", "all_contacts", "candidates",
-    "certify", "check", "contact_normal", "contact_times", "distance", "first_contact", "free_step", "fuzz",
-    "intersections", "intersects", "prove", "save_page", "show", "show_mesh", "solve"
+    "Answer", "Answers", "Certificate", "Checked", "ClosestApproach", "CurvedQueries", "Distance", "Distances",
+    "ExactTime", "Feature", "Finding", "FirstContact", "FreeStep", "FuzzReport", "Intersections", "Level", "Mesh",
+    "MeshFile", "MeshSteps", "Nature", "OnBody", "OnCurves", "Pairs", "Proofs", "Shown", "ShownMesh", "Trend",
+    "Verdict", "all_contacts", "candidates", "certify", "check", "closest_approach", "contact_normal",
+    "contact_times", "distance", "first_contact", "free_step", "fuzz", "intersections", "intersects", "prove",
+    "read_frames", "read_mesh", "save_page", "show", "show_mesh", "solve"
 ]

@@ -1,0 +1,103 @@
+"""Meshes from files. SPDX-License-Identifier: MIT"""
+from __future__ import annotations
+
+import os
+from typing import Any, Iterable, List, NamedTuple, Tuple, Union
+
+import numpy as np
+import numpy.typing as npt
+
+from . import _core
+from ._core import Mesh
+
+
+class MeshFile(NamedTuple):
+    """A mesh of a file: `mesh`, `positions` (n, 3), the names of its objects or groups as `parts`, and `face_parts`, the
+    index into them of each face, empty without names."""
+    mesh: Mesh
+    positions: npt.NDArray[np.float64]
+    parts: List[str]
+    face_parts: npt.NDArray[np.uint32]
+
+
+_Arrays = Tuple[Any, Any, Any, Any, List[str], Any]
+
+
+def _read(path: Union[str, os.PathLike[str]], triangulate: bool) -> _Arrays:
+    return _core.read_mesh_file(os.fsdecode(path), triangulate)
+
+
+def _mesh_of(arrays: _Arrays, path: Any, between_parts: bool) -> Mesh:
+    positions, faces, edges, points, parts, face_parts = arrays
+    # Vertices in no element of the file do not collide, and corners are no loose points.
+    loose = np.setdiff1d(points, np.concatenate([faces.ravel(), edges.ravel()]))
+    if not between_parts:
+        return Mesh(len(positions), faces, edges, loose)
+    if not parts:
+        raise ValueError(f"{path}: names no parts, objects or groups, and between_parts is True")
+    groups = np.full(len(positions), len(parts), np.uint32)
+    groups[faces] = face_parts[:, np.newaxis]
+    shared = np.flatnonzero((groups[faces] != face_parts[:, np.newaxis]).any(axis=1))
+    if len(shared):
+        raise ValueError(f"{path}: face {shared[0]} shares a vertex with another part, and between_parts is True")
+    numbers = np.arange(len(parts) + 1, dtype=np.uint32)
+    return Mesh(len(positions), faces, edges, loose, groups=groups, group_pairs=np.stack([numbers, numbers], axis=1))
+
+
+def read_mesh(path: Union[str, os.PathLike[str]], *, triangulate: bool = False, between_parts: bool = False) -> MeshFile:
+    """The mesh of a file in one of the program's formats: .obj, .ply, .stl, .vtk, .off or .msh.
+
+    path           the file; its ending says the format. Coordinates are read without loss, decimals as the nearest
+                   doubles
+    triangulate    whether polygons of more than three corners are cut into triangles that share the first corner;
+                   without it they are errors
+    between_parts  whether pairs within one object or group of the file never collide
+
+    Returns a MeshFile with mesh, positions, parts and face_parts. Vertices are numbered from 0. Raises ValueError for
+    what the reader does not understand completely: the message names the file and the line, and what would be right.
+
+    >>> import pathlib, tempfile, touchstone
+    >>> path = pathlib.Path(tempfile.mkdtemp(), 'a.off')
+    >>> _ = path.write_text('OFF 4 2 0\\n0 0 0\\n1 0 0\\n0 .1 0\\n0 0 3\\n3 0 1 2\\n1 3\\n')
+    >>> file = touchstone.read_mesh(path)
+    >>> file.mesh, file.positions[2].tolist()
+    (<Mesh: 4 vertices, 1 faces, 3 edges, 1 loose points>, [0.0, 0.1, 0.0])
+    """
+    arrays = _read(path, triangulate)
+    return MeshFile(_mesh_of(arrays, path, between_parts), arrays[0], arrays[4], arrays[5])
+
+
+def read_frames(paths: Iterable[Union[str, os.PathLike[str]]], *, triangulate: bool = False,
+                between_parts: bool = False) -> Tuple[Mesh, npt.NDArray[np.float64]]:
+    """The frames of an animation: the mesh that all files have, and their positions, of shape (frames, n, 3).
+
+    paths  the files in the order of the frames; the other arguments are those of `read_mesh`
+
+    Raises ValueError for what `read_mesh` raises it, for no file, and for a file with other elements than the first.
+
+    >>> import pathlib, tempfile, touchstone
+    >>> folder = pathlib.Path(tempfile.mkdtemp())
+    >>> for z in range(2):
+    ...     text = f'OFF 4 2 0\\n0 0 {z}\\n1 0 0\\n0 1 0\\n9 9 9\\n3 0 1 2\\n1 3\\n'
+    ...     _ = (folder / f'{z}.off').write_text(text)
+    >>> mesh, x = touchstone.read_frames(sorted(folder.glob('*.off')))
+    >>> x.shape, touchstone.first_contact(mesh, x[0], x[1]).free
+    ((2, 4, 3), True)
+    """
+    if isinstance(paths, (str, bytes, os.PathLike)):
+        raise TypeError("paths must be several files; read_mesh reads one")
+    names = list(paths)
+    if not names:
+        raise ValueError("paths is empty; it must be the files of the frames")
+    first = _read(names[0], triangulate)
+    mesh = _mesh_of(first, names[0], between_parts)
+    positions = [first[0]]
+    for name in names[1:]:
+        arrays = _read(name, triangulate)
+        for what, one, other in zip(("vertices", "faces", "edges", "points"), first, arrays):
+            same = one.shape == other.shape and (what == "vertices" or np.array_equal(one, other))
+            if not same:
+                raise ValueError(f"{os.fspath(name)} has other {what} than {os.fspath(names[0])}; all frames must "
+                                 "have the same elements")
+        positions.append(arrays[0])
+    return mesh, np.stack(positions)

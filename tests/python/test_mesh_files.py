@@ -1,0 +1,64 @@
+"""Meshes from files, and how near their elements come. SPDX-License-Identifier: MIT"""
+import math
+
+import pytest
+import touchstone as ts
+
+OBJ = "o base\nv 0 0 0\nv 4 0 0\nv 0 4 0\nf 1 2 3\no lid\nv 1 1 {z}\nv 4 4 2\nv 1 4 2\nf 4 5 6\nv 9 9 9\nl 1 2\np 2\n"
+
+
+def write(folder, name, text):
+    path = folder / name
+    path.write_text(text)
+    return path
+
+
+def test_a_mesh_is_read_with_its_parts(tmp_path):
+    path = write(tmp_path, "a.obj", OBJ.format(z=0.1))
+    mesh, positions, parts, face_parts = ts.read_mesh(path)
+    assert (mesh.faces.tolist(), mesh.edges[0].tolist(), len(mesh.points)) == ([[0, 1, 2], [3, 4, 5]], [0, 1], 0)
+    assert (positions.shape, positions[3].tolist()) == ((7, 3), [1, 1, 0.1])
+    assert (parts, face_parts.tolist()) == (["base", "lid"], [0, 1])
+    assert ts.read_mesh(str(path)).mesh.vertex_count == 7
+    points = ts.read_mesh(write(tmp_path, "p.off", "OFF 2 0 0\n0 0 0\n1 0 0\n"))
+    assert (points.mesh.points.tolist(), points.parts) == ([0, 1], [])
+
+
+def test_frames_are_read_in_their_order(tmp_path):
+    paths = [write(tmp_path, f"{z}.obj", OBJ.format(z=z)) for z in (2, 1, 0.25)]
+    mesh, x = ts.read_frames(paths, between_parts=True)
+    assert x[:, 3, 2].tolist() == [2, 1, 0.25]
+    near = ts.closest_approach(mesh, x[1], x[2])
+    assert near.distance == 0.25 and mesh.describe(near.first_contact.earliest[0]) == "vertex 3 and face 0 (0-1-2)"
+    assert near.first_contact.toi == 1 and repr(near) == "<ClosestApproach: distance 0.25>"
+    assert ts.closest_approach(mesh, x[1], x[2], t_max=0.5).distance == 0.625
+    assert ts.closest_approach(mesh, x[1]).distance == 1
+    with pytest.warns(UserWarning, match="no two elements"):
+        assert ts.closest_approach(ts.Mesh(1), [[0, 0, 0]]).distance == math.inf
+    with pytest.raises(ValueError, match="other vertices"):
+        ts.read_frames(paths + [write(tmp_path, "x.obj", OBJ.format(z=1) + "v 0 0 0\n")])
+    with pytest.raises(ValueError, match="other faces"):
+        ts.read_frames(paths + [write(tmp_path, "y.obj", OBJ.format(z=1).replace("f 4 5 6", "f 4 6 5"))])
+    with pytest.raises(ValueError, match="paths is empty"):
+        ts.read_frames([])
+    with pytest.raises(TypeError, match="read_mesh reads one"):
+        ts.read_frames(paths[0])
+
+
+def test_what_is_no_mesh_is_refused(tmp_path):
+    for name, text, words in [("a.obj", "f 1 2 3\n", "vertex 3 does not exist"), ("a.npy", "", "numpy.load"),
+                              ("a.xyz", "", "meshio convert"), ("a.off", "OFF 1 0 0\n0 0 nan\n", "no finite number"),
+                              ("q.off", "OFF 4 1 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n4 0 1 2 3\n", "has 4 corners"),
+                              ("d.off", "OFF 3 1 0\n0 0 0\n1 0 0\n1 1 0\n3 0 1 1\n", "twice")]:
+        with pytest.raises(ValueError, match=words):
+            ts.read_mesh(write(tmp_path, name, text))
+    assert len(ts.read_mesh(tmp_path / "q.off", triangulate=True).mesh.faces) == 2
+    with pytest.raises(ValueError, match="cannot be opened"):
+        ts.read_mesh(tmp_path / "none.obj")
+    with pytest.raises(ValueError, match="names no parts"):
+        ts.read_mesh(tmp_path / "q.off", triangulate=True, between_parts=True)
+    shared = "o a\nv 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nf 1 2 3\no b\nf 2 4 3\n"
+    with pytest.raises(ValueError, match="shares a vertex with another part"):
+        ts.read_mesh(write(tmp_path, "s.obj", shared), between_parts=True)
+    with pytest.raises(TypeError):
+        ts.read_mesh(3)
