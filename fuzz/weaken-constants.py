@@ -261,6 +261,13 @@ MESH_FAULTS = [
      "way.x - beside.x, 0.0,"),
     ("boxes of what a face stands for", "mesh/candidates.cpp", "!meet(a.box, b.box, until_)", "false"),
     ("vertices that a face stands for", "mesh/mesh.cpp", "corners[i]], 1) == 0)", "corners[i]], 1) == 0 && i > 0)"),
+    ("swelling of boxes", "mesh/closest_approach.cpp", "0.5 * distance / swelling_", "0.25 * distance / swelling_"),
+    ("least distance in the metric max", "mesh/closest_approach.cpp", "0.57735 : 1;", "1 : 1;"),
+    ("ways in boxes that swell", "mesh/candidates.cpp",
+     "box.low[k] = At{std::min(box.low[k][0], box.low[k][1]), std::min(grown.low[k][0], grown.low[k][1])};",
+     "box.low[k] = At{box.low[k][0], grown.low[k][0]};"),
+    ("wires that only fold, and their distance", "mesh/closest_approach.cpp",
+     "if (only_folds && !pair.comes_within(0)) continue;", ""),
     ("pieces that meet", "mesh/inside_surfaces/inside.cpp", "if (a != b) pairs.insert({{a, b}, {b, a}});", ""),
 ]
 
@@ -465,7 +472,7 @@ def attacks(build, layer, seconds, jobs, quick, file=None):
     elif layer == "exact":
         searches = [tests("exact", 0.5, "the near rungs*,the exact level*,V at a time*")]
     elif layer == "mesh":
-        searches = [tests("mesh", 1, "neighbours that*,*kept*,steps that keep*")]
+        searches = [tests("mesh", 1, "neighbours that*,*kept*,steps that keep*,*closest approach*")]
         quick = True
     elif layer == "curved":
         nearest = CURVED_SEARCHES.get(file)

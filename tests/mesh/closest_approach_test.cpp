@@ -93,6 +93,43 @@ TEST_CASE("no pair comes nearer than the closest approach, and the first pairs s
   CHECK(intersecting > 20);
 }
 
+TEST_CASE("of many small triangles no two come nearer than the closest approach") {
+  std::size_t apart = 0;
+  const std::size_t scenes = effort(120);
+  for (std::size_t i = 0; i < scenes; ++i) {
+    seeded::Rng random(seeded::seed_of_stream(392, i));
+    const std::size_t triangles = 20 + random.below(400);
+    const double size = random.uniform(0.001, 0.03), speed = random.one_in(3) ? 0 : random.uniform(0.001, 0.1);
+    const bool flat = random.one_in(3);
+    MeshElements elements;
+    std::vector<Vec3> x0, x1;
+    for (std::size_t t = 0; t < triangles; ++t) {
+      const auto first = static_cast<MeshIndex>(x0.size());
+      elements.faces.push_back({first, first + 1, first + 2});
+      const Vec3 centre = {random.unit(), random.unit(), flat ? 0 : random.unit()};
+      const Vec3 way = {speed * random.symmetric(), speed * random.symmetric(), speed * random.symmetric()};
+      for (int c = 0; c < 3; ++c) {
+        x0.push_back({centre.x + size * random.symmetric(), centre.y + size * random.symmetric(),
+                      centre.z + size * random.symmetric()});
+        x1.push_back({x0.back().x + way.x, x0.back().y + way.y, x0.back().z + way.z});
+      }
+    }
+    elements.vertex_count = x0.size();
+    if (random.one_in(2)) elements.separation.metric = Metric::max;
+    StepOptions options;
+    options.threads = random.between(1, 3);
+    const ClosestApproach approach = closest_approach(Mesh(elements), x0, x1, options);
+    CAPTURE(i, triangles, speed, approach.distance);
+    REQUIRE_FALSE(approach.first_contact.free());
+    if (approach.distance == 0) continue;
+    ++apart;
+    const Mesh nearer = with_separation(elements, std::nextafter(approach.distance, 0.0));
+    REQUIRE(first_contact(nearer, x0, x1).free());
+  }
+  CAPTURE(apart, scenes);
+  CHECK(4 * apart > scenes);
+}
+
 TEST_CASE("parts are measured against each other alone, where only their groups collide") {
   // Two tetrahedra, one above the other's top, and an empty group.
   MeshElements elements;
