@@ -437,7 +437,7 @@ TEST_CASE("corners are certainly the closest points only where no other point is
     return 0.0;
   });
   CHECK(search.worst == 0);
-  CHECK(20 * certain > certain + uncertain);
+  CHECK(100 * certain > certain + uncertain);
   CHECK(uncertain > certain);
 }
 
