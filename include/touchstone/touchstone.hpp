@@ -17,6 +17,7 @@
 #include <touchstone/screw.hpp>
 #include <touchstone/separation.hpp>
 #include <touchstone/solve.hpp>
+#include <touchstone/toi_gradient.hpp>
 #include <touchstone/vector_width.hpp>
 #include <touchstone/version.hpp>
 
@@ -24,10 +25,10 @@
 ///
 /// `solve` answers one query, and `solve_batch` answers many. Each of them also takes a Separation that the elements
 /// are to keep. `solve` also takes a CurvedQuery, whose corners turn or move on curves. `contact_times` gives all times
-/// of contact, and `contact_normal` the normal at the first. `distance` measures at one instant. `judge` judges the
-/// claim of another solver. `Mesh` and `first_contact` ask about whole meshes, and
-/// `closest_approach` how near their elements come. The header touchstone/touchstone.hpp
-/// brings all of these. More headers stand beside it: touchstone/eigen.hpp makes queries and positions from Eigen's
-/// types, touchstone/fuzz.hpp searches for failures of another solver, touchstone/ipc_toolkit.hpp is a narrow phase for
+/// of contact, and `contact_normal` the normal at the first, whose time's derivatives `toi_gradient` gives. `distance`
+/// measures at one instant. `judge` judges the claim of another solver. `Mesh` and `first_contact` ask about whole
+/// meshes, and `closest_approach` how near their elements come. The header touchstone/touchstone.hpp brings all of
+/// these. More headers stand beside it: touchstone/eigen.hpp makes queries and positions from Eigen's types,
+/// touchstone/fuzz.hpp searches for failures of another solver, touchstone/ipc_toolkit.hpp is a narrow phase for
 /// ipc-toolkit, and touchstone/c.h is the library for C.
 namespace touchstone {}

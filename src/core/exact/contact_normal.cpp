@@ -1,4 +1,4 @@
-// The unit normal at the first contact, from polynomials in t that are parallel to it.
+// The unit normal at the first contact, and how the contact's time changes with the corners, from polynomials in t.
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <array>
@@ -125,7 +125,106 @@ std::optional<std::array<double, 3>> normal_of(const Q& query, double t_max, con
   return unit_vector(turned ? negative(plane.n) : plane.n, time);
 }
 
+/// The closest points of two features, at the times when they have some: a direction between them, and the weight of
+/// each corner in its point times one positive number, negated on the first element.
+struct Closest {
+  Direction direction;
+  std::array<Form, 4> weights;
+};
+
+Closest closest_points(const Corners& x, const Answer& answer, Kind kind) {
+  const auto& [first, second] = geometry::traits_of(kind);
+  const FeatureCorners a = corners_of(answer.feature_a, first, 0);
+  const FeatureCorners b = corners_of(answer.feature_b, second, first.corners());
+  const auto& i = a.corners;
+  const auto& j = b.corners;
+  Closest closest;
+  auto& weights = closest.weights;
+  if (a.count == 1 && b.count == 1) {
+    closest.direction = x[j[0]] - x[i[0]];
+    weights[i[0]] = Form(Exact(-1));
+    weights[j[0]] = Form(Exact(1));
+  } else if (a.count + b.count == 3) {  // a corner and an edge
+    const auto [corner, start, end] = a.count == 1 ? std::array{i[0], j[0], j[1]} : std::array{j[0], i[0], i[1]};
+    const Direction e = x[end] - x[start], r = x[corner] - x[start];
+    closest.direction = across(e, r);
+    const Form all = geometry::dot(e, e), along = geometry::dot(r, e);
+    weights[corner] = all;
+    weights[end] = -along;
+    weights[start] = along - all;
+  } else {
+    const auto frame = geometry::frame_of(kind, [&x](std::size_t c, std::size_t d) { return x[c] - x[d]; });
+    const Direction n = geometry::normal(frame);
+    closest.direction = n;
+    const auto along_normal = [&n](const auto& numerator) {
+      return n[0] * numerator(0) + n[1] * numerator(1) + n[2] * numerator(2);
+    };
+    const Form all = geometry::dot(n, n);
+    const Form one = along_normal([&](std::size_t k) { return geometry::first_numerator(frame, k); });
+    const Form other = along_normal([&](std::size_t k) { return geometry::second_numerator(kind, frame, k); });
+    weights = kind == Kind::edge_edge ? std::array{one - all, -one, all - other, other}
+                                      : std::array{-all, all - one - other, one, other};
+  }
+  return closest;
+}
+
+bool is_inside(const Answer& answer, Kind kind) {
+  return kind == Kind::edge_edge ? answer.feature_a == Feature::a && answer.feature_b == Feature::b
+                                 : kind == Kind::vertex_face && answer.feature_b == Feature::f;
+}
+
+template <class Q>
+std::optional<EndGradients> gradient_of(const Q& query, double t_max, const Separation& separation) {
+  std::optional<RealRoot> time;
+  Answer answer;
+  if (separation.distance > 0) {
+    TimedAnswer timed = decide_with_time(query, t_max, separation);
+    answer = timed.answer;
+    time = std::move(timed.time);
+  } else {
+    answer = decide_exactly(query, t_max);
+    if (!answer.contact || !is_inside(answer, query.kind)) return std::nullopt;
+    time = std::move(touching_times(query, t_max).front().first);
+  }
+  if (!time || time->compare(Exact(0)) == 0) return std::nullopt;
+
+  const ScaledCorners scaled = scaled_corners(query);
+  const Corners x = corners_of(query);
+  const auto [direction, weights] = closest_points(x, answer, query.kind);
+  const std::size_t count = corner_count(query.kind);
+  Form speed;
+  for (std::size_t i = 0; i < count; ++i) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      speed = speed + weights[i] * direction[k] * Form(x[i][k].size() > 1 ? x[i][k][1] : Exact(0));
+    }
+  }
+  const Moment at = Moment::at(*time);
+  if (speed.is_zero() || at.sign(speed) == 0) return std::nullopt;  // where edges overlap, the direction is 0
+  EndGradients gradient{};
+  // The coordinates are multiplied by the factor here, and so are derivatives by them divided by it.
+  const Form fraction_at_end(Exact(0), scaled.factor), fraction_at_start(scaled.factor, -scaled.factor);
+  const auto ratio = [&](const Form& p) { return p.is_zero() || at.sign(p) == 0 ? 0 : time->ratio(p, speed); };
+  for (std::size_t i = 0; i < count; ++i) {
+    std::array<double, 3> start, end;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Form numerator = -(weights[i] * direction[k]);
+      start[k] = ratio(numerator * fraction_at_start);
+      end[k] = ratio(numerator * fraction_at_end);
+    }
+    gradient[0][i] = {start[0], start[1], start[2]};
+    gradient[1][i] = {end[0], end[1], end[2]};
+  }
+  return gradient;
+}
+
 }  // namespace
+
+std::optional<EndGradients> toi_gradient(const Query& query, double t_max, const Separation& separation) {
+  return gradient_of(query, t_max, separation);
+}
+std::optional<EndGradients> toi_gradient(const RationalQuery& query, double t_max, const Separation& separation) {
+  return gradient_of(query, t_max, separation);
+}
 
 std::optional<std::array<double, 3>> contact_normal(const Query& query, double t_max, const Separation& separation) {
   return normal_of(query, t_max, separation);

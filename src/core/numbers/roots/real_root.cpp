@@ -104,20 +104,42 @@ bool quotient_over(const RootBracket& bracket, Coefficients numerator, Coefficie
   return true;
 }
 
+constexpr double kGreatest = std::numeric_limits<double>::max();
+
+Exact magnitude(const Exact& x) { return sign_of(x) < 0 ? -x : x; }
+
+/// How much q's values in the bracket differ from that at its lower end, at most: see below.
+Exact spread(const RootBracket& bracket, Coefficients q) {
+  Exact sum(0);
+  for (int k = 1; k < q.size; ++k) sum = sum + magnitude(q.c[k]);
+  return sum * Exact(q.size - 1) * (bracket.high() - bracket.low());
+}
+
+/// The greatest double <= n / d, for positive n and d, but at least the least positive one; infinity beyond all.
+double lower_double(const Exact& n, const Exact& d) {
+  // Doubles that are positive have the order of their bits.
+  const auto is_at_least = [&](std::uint64_t bits) { return n >= Exact(std::bit_cast<double>(bits)) * d; };
+  constexpr auto kMost = std::bit_cast<std::uint64_t>(kGreatest);
+  if (is_at_least(kMost)) return std::numeric_limits<double>::infinity();
+  std::uint64_t low =
+      std::max<std::uint64_t>(std::bit_cast<std::uint64_t>(std::min(approximate_quotient(n, d), kGreatest)), 1);
+  std::uint64_t high = low;
+  for (std::uint64_t step = 1; low > 1 && !is_at_least(low); step *= 2) low -= std::min(low - 1, step);
+  for (std::uint64_t step = 1; high <= low || is_at_least(high); step *= 2) high += std::min(kMost - high, step);
+  while (high - low > 1) {
+    const std::uint64_t middle = low + (high - low) / 2;
+    (is_at_least(middle) ? low : high) = middle;
+  }
+  return std::bit_cast<double>(low);
+}
+
 /// The same from the values at the bracket's lower end, which is much cheaper for high degrees. A polynomial differs
 /// from its value there by at most its slope's bound, the sum of k |c_k| in [0, 1], times the bracket's width. For the
 /// values n and d and these bounds a and b, the quotient differs from n / d by at most (a |d| + |n| b) / (|d| (|d| -
 /// b)).
 bool quotient_at_low(const RootBracket& bracket, Coefficients numerator, Coefficients denominator, double& result) {
-  const Exact width = bracket.high() - bracket.low();
-  const auto magnitude = [](const Exact& x) { return sign_of(x) < 0 ? -x : x; };
-  const auto spread = [&](Coefficients q) {
-    Exact sum(0);
-    for (int k = 1; k < q.size; ++k) sum = sum + magnitude(q.c[k]);
-    return sum * Exact(q.size - 1) * width;
-  };
   const Exact n = evaluate(numerator, bracket.low()), d = evaluate(denominator, bracket.low());
-  const Exact a = spread(numerator), b = spread(denominator), size = magnitude(d), left = size - b;
+  const Exact a = spread(bracket, numerator), b = spread(bracket, denominator), size = magnitude(d), left = size - b;
   if (sign_of(left) <= 0 || a * size + magnitude(n) * b > Exact(0x1p-53) * size * left) return false;
   result = std::clamp(approximate_quotient(n, d), 0.0, 1.0);
   return true;
@@ -390,20 +412,48 @@ RealRoot RealRoot::reversed() const {
   return root;
 }
 
+Exact RealRoot::homogeneous_value(Coefficients q, int degree) const {
+  Exact value(0);
+  Exact power(1);  // of the denominator
+  for (int i = degree; i >= 0; --i) {
+    value = value * numerator_;
+    if (i < q.size) value = value + q.c[i] * power;
+    if (i > 0) power = power * denominator_;
+  }
+  return value;
+}
+
+double RealRoot::ratio(Coefficients numerator, Coefficients denominator) const {
+  if (is_rational_) {
+    const int degree = std::max(numerator.size, denominator.size) - 1;
+    const Exact n = homogeneous_value(numerator, degree), d = homogeneous_value(denominator, degree);
+    return sign_of(n) * sign_of(d) * lower_double(magnitude(n), magnitude(d));
+  }
+  // The values n and d at the bracket's lower end are off by at most a and b. A double is the ratio, or beside it, if
+  // (n - a) / (d + b) is above the double before it, and (n + a) / (d - b) is below the one after it.
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  for (;; narrow_.narrow(polynomial())) {
+    const Exact at_numerator = evaluate(numerator, narrow_.low()),
+                at_denominator = evaluate(denominator, narrow_.low());
+    const Exact n = magnitude(at_numerator), d = magnitude(at_denominator);
+    const Exact a = spread(narrow_, numerator), b = spread(narrow_, denominator);
+    if (n <= a || d <= b) continue;
+    const double lower = lower_double(n, d);
+    const int sign = sign_of(at_numerator) * sign_of(at_denominator);
+    for (const double found : {lower, lower == kInfinity ? kGreatest : std::nextafter(lower, kInfinity)}) {
+      const double before = std::nextafter(found, 0.0), after = std::nextafter(found, kInfinity);
+      const bool is_above = before == 0 || n - a > Exact(before) * (d + b);
+      const bool is_below = after == kInfinity || n + a < Exact(after) * (d - b);
+      if (is_above && is_below) return sign * found;
+    }
+  }
+}
+
 double RealRoot::quotient(Coefficients numerator, Coefficients denominator) const {
   if (is_rational_) {
     const int degree = std::max(numerator.size, denominator.size) - 1;
-    const auto homogeneous = [&](Coefficients q) {
-      Exact value(0);
-      Exact power(1);  // of the denominator
-      for (int i = degree; i >= 0; --i) {
-        value = value * numerator_;
-        if (i < q.size) value = value + q.c[i] * power;
-        if (i > 0) power = power * denominator_;
-      }
-      return value;
-    };
-    return std::clamp(approximate_quotient(homogeneous(numerator), homogeneous(denominator)), 0.0, 1.0);
+    const Exact n = homogeneous_value(numerator, degree), d = homogeneous_value(denominator, degree);
+    return std::clamp(approximate_quotient(n, d), 0.0, 1.0);
   }
   if (numerator.size != denominator.size) {  // the bounds below are for equal formal degrees
     const auto lengthened = [size = std::max(numerator.size, denominator.size)](Coefficients q) {

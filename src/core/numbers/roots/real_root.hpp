@@ -107,6 +107,10 @@ class RealRoot {
     return quotient(Coefficients(exact_numerator), Coefficients(exact_denominator));
   }
 
+  /// numerator(root) / denominator(root), or one of the two doubles beside it; neither is zero at the root. Infinity
+  /// beyond the greatest double, and never 0.
+  double ratio(Coefficients numerator, Coefficients denominator) const;
+
   /// For a person: "1/3", "root of 3 t^3 + -1 t + -1 in [0x1.8p-1, 0x1.9p-1]".
   std::string to_string() const;
 
@@ -142,7 +146,8 @@ class RealRoot {
     return value.value > value.error ? 1 : value.value < -value.error ? -1 : 0;
   }
 
-  int sign_beside(Coefficients q, int side) const;  // side 1: just after, -1: just before
+  Exact homogeneous_value(Coefficients q, int degree) const;  ///< q(root) times denominator_^degree, of a rational root
+  int sign_beside(Coefficients q, int side) const;            // side 1: just after, -1: just before
   void find_small_integers();
   void find_neighbouring_doubles();
   double estimate() const;
