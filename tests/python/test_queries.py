@@ -184,7 +184,7 @@ def test_no_queries():
         ts.solve("edge-edge", nothing, nothing, t_max=2)
 
 
-FUNCTIONS = [ts.solve, ts.contact_times, ts.distance, ts.contact_normal]
+FUNCTIONS = [ts.solve, ts.contact_times, ts.distance, ts.contact_normal, ts.toi_gradient]
 
 
 @pytest.mark.parametrize("ask", FUNCTIONS)
@@ -309,3 +309,14 @@ def test_masked_elements_are_refused():
         ts.certify("edge-edge", start, end, np.ones(6, bool), np.ma.array(np.zeros(6), mask=hidden.mask))
     mapped = start.view(type("Mapped", (np.ndarray,), {}))  # another subclass, such as np.memmap
     assert queries.same(ts.solve("edge-edge", mapped, end), wanted)
+
+
+def test_gradients():
+    face = [[0, 0, 0], [4, 0, 0], [0, 4, 0]]
+    fall = ([[1, 1, 3]] + face, [[1, 1, -1]] + face)
+    gradient = ts.toi_gradient("vertex-face", [fall[0], fall[1]], [fall[1], fall[1]])
+    assert gradient.shape == (2, 2, 4, 3) and np.isnan(gradient[1]).all()
+    assert gradient[0, :, 0, 2].tolist() == [0.0625, 0.1875] and gradient[0].sum() == 0
+    kept = ts.toi_gradient("vertex-face", *fall, separation=.5)
+    assert kept[0, 0].tolist() == [0, 0, 0.09375]
+    assert ts.toi_gradient("point-point", [[0, 0, 0], [1, 0, 0]], [[2, 0, 0], [1, 0, 0]], 1, .5).shape == (2, 2, 3)

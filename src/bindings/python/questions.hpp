@@ -71,30 +71,40 @@ py::object distances_of(const Queries& queries, py::handle t_number, py::handle 
   return py::cast(std::move(distances));
 }
 
-/// A normal that does not exist is NaN.
-template <class Queries>
-py::object contact_normals_of(const Queries& queries, py::handle t_max_number, py::handle separation,
-                              py::handle threads) {
+/// An array of numbers for each query, or for a single one. write(query, separation, t_max, numbers) writes them.
+/// @param shape  of the numbers of a query
+template <class Queries, class Write>
+py::object numbers_of(const Queries& queries, py::handle t_max_number, py::handle separation, py::handle threads,
+                      std::vector<py::ssize_t> shape, const Write& write) {
   const SeparationArgument kept = separation_of(separation, py::str("euclidean"), queries.count(), queries.is_single());
   const double t_max = number_of(t_max_number, "t_max");
   const int thread_count = threads_of(threads);
   check_options(kept.separation, t_max);
-  std::vector<py::ssize_t> shape = {3};
+  std::size_t each = 1;
+  for (const py::ssize_t extent : shape) each *= static_cast<std::size_t>(extent);
   if (!queries.is_single()) shape.insert(shape.begin(), static_cast<py::ssize_t>(queries.count()));
-  py::array_t<double> normals(shape);
-  double* const to = normals.mutable_data();
-  const auto ask = [&](std::size_t q) {
-    constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
-    const auto normal = contact_normal(queries.at(q), kept.of(q), t_max);
-    const std::array<double, 3> value = normal.value_or(std::array<double, 3>{kNone, kNone, kNone});
-    std::copy(value.begin(), value.end(), to + 3 * q);
-  };
+  py::array_t<double> numbers(shape);
+  double* const to = numbers.mutable_data();
+  const auto ask = [&](std::size_t q) { write(queries.at(q), kept.of(q), t_max, to + each * q); };
   if (queries.is_single()) {
     unlocked([&] { ask(0); });
   } else {
     for_each_row(queries.count(), thread_count, ask);
   }
-  return py::object(normals);
+  return py::object(numbers);
+}
+
+/// A normal that does not exist is NaN.
+template <class Queries>
+py::object contact_normals_of(const Queries& queries, py::handle t_max, py::handle separation, py::handle threads) {
+  return numbers_of(queries, t_max, separation, threads, {3},
+                    [](const auto& query, const Separation& kept, double until, double* to) {
+                      constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+                      const auto normal = contact_normal(query, kept, until);
+                      const std::array<double, 3> none = {kNone, kNone, kNone};
+                      const std::array<double, 3> value = normal.value_or(none);
+                      std::copy(value.begin(), value.end(), to);
+                    });
 }
 
 }  // namespace touchstone::python

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include <touchstone/solve.hpp>
+#include <touchstone/toi_gradient.hpp>
 
 #include "python/answers.hpp"
 #include "python/arguments.hpp"
@@ -223,6 +224,23 @@ void define_distances(py::module_& module) {
   column("weights_b", &Distance::weights_b, double(), 3, "(n, 3) float64: closest points of the second elements");
 }
 
+/// A gradient that does not exist is NaN.
+py::object gradients_of(const QueryArrays& queries, py::handle t_max, py::handle separation, py::handle threads) {
+  const std::size_t corners = corner_count(queries.kind);
+  return numbers_of(queries, t_max, separation, threads, {2, static_cast<py::ssize_t>(corners), 3},
+                    [corners](const Query& query, const Separation& kept, double until, double* to) {
+                      const ToiGradient gradient = toi_gradient(query, kept, until);
+                      for (const auto* side : {&gradient.start, &gradient.end}) {
+                        for (std::size_t c = 0; c < corners; ++c) {
+                          const Vec3& g = (*side)[c];
+                          for (const double x : {g.x, g.y, g.z}) {
+                            *to++ = gradient.exists ? x : std::numeric_limits<double>::quiet_NaN();
+                          }
+                        }
+                      }
+                    });
+}
+
 }  // namespace
 
 void define_queries(py::module_& module) {
@@ -239,6 +257,10 @@ void define_queries(py::module_& module) {
   module.def("contact_normal", [](py::handle kind, py::handle start, py::handle end, py::handle t_max,
                                   py::handle separation, py::handle threads) {
     return contact_normals_of(QueryArrays(kind, start, end), t_max, separation, threads);
+  });
+  module.def("toi_gradient", [](py::handle kind, py::handle start, py::handle end, py::handle t_max,
+                                py::handle separation, py::handle threads) {
+    return gradients_of(QueryArrays(kind, start, end), t_max, separation, threads);
   });
 }
 

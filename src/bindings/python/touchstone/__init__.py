@@ -32,7 +32,7 @@ call reads it.
 from ._core import (Answer, Answers, ClosestApproach, Distance, Distances, ExactTime, Finding, FirstContact, FreeStep, FuzzReport,
                     Intersections, Mesh, MeshSteps, Pairs, __version__)
 from ._names import Feature, Level, Nature, Trend
-from ._queries import contact_normal, contact_times, distance, solve
+from ._queries import contact_normal, contact_times, distance, solve, toi_gradient
 from ._curved import CurvedQueries, OnBody, OnCurves
 from ._fuzzing import fuzz
 from ._judging import Certificate, Verdict, certify
@@ -49,5 +49,5 @@ __all__ = [
     "MeshFile", "MeshSteps", "Nature", "OnBody", "OnCurves", "Pairs", "Proofs", "Shown", "ShownMesh", "Trend",
     "Verdict", "all_contacts", "candidates", "certify", "check", "closest_approach", "contact_normal",
     "contact_times", "distance", "first_contact", "free_step", "fuzz", "intersections", "intersects", "prove",
-    "read_frames", "read_mesh", "save_page", "show", "show_mesh", "solve"
+    "read_frames", "read_mesh", "save_page", "show", "show_mesh", "solve", "toi_gradient"
 ]

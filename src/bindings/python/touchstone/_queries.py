@@ -105,3 +105,21 @@ def contact_normal(kind: Kind, start: ArrayLike, end: ArrayLike, t_max: float = 
     [0.0, 0.0, -1.0]
     """
     return _core.contact_normal(kind, start, end, t_max, separation, threads)
+
+
+def toi_gradient(kind: Kind, start: ArrayLike, end: ArrayLike, t_max: float = 1.0, separation: ArrayLike = 0.0,
+                 threads: int = 1) -> NDArray:
+    """The derivatives of the first contact's exact time by all coordinates, each the true one or a double beside it.
+
+    Arguments and errors are those of `solve`; the metric is the Euclidean one. Returns an array of shape
+    (n, 2, corners, 3), or (2, corners, 3) for a single query: by the corners in `start`, and by those in `end`. NaN
+    where there is no gradient: without a contact, in contact at the start, where elements only touch and leave again,
+    and without a separation unless the contact is inside both edges or inside the face.
+
+    >>> import touchstone
+    >>> triangle = [[0, 0, 0], [4, 0, 0], [0, 4, 0]]
+    >>> gradient = touchstone.toi_gradient('vertex-face', [[1, 1, 3]] + triangle, [[1, 1, -1]] + triangle)
+    >>> gradient[0, 0].tolist(), gradient[1, 0].tolist()        # by the point at t = 0, and at t = 1
+    ([0.0, 0.0, 0.0625], [0.0, 0.0, 0.1875])
+    """
+    return _core.toi_gradient(kind, start, end, t_max, separation, threads)
