@@ -45,6 +45,12 @@ def test_frames_are_read_in_their_order(tmp_path):
         ts.read_frames(paths[0])
 
 
+def test_elements_in_no_part_collide_between_parts(tmp_path):
+    text = OBJ.format(z=1) + "v 0 0 7\nv 2 2 7\nl 8 9\nv 2 0 7\nv 0 2 7\nl 10 11\n"
+    read = ts.read_mesh(write(tmp_path, "w.obj", text), between_parts=True)
+    assert len(ts.intersections(read.mesh, read.positions)) == 1
+
+
 def test_what_is_no_mesh_is_refused(tmp_path):
     for name, text, words in [("a.obj", "f 1 2 3\n", "vertex 3 does not exist"), ("a.npy", "", "numpy.load"),
                               ("a.xyz", "", "meshio convert"), ("a.off", "OFF 1 0 0\n0 0 nan\n", "no finite number"),

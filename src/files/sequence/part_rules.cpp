@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <unordered_map>
 
 #include "io/counted.hpp"
 #include "io/fail.hpp"
@@ -13,12 +14,16 @@
 namespace touchstone::sequence {
 namespace {
 
-constexpr std::size_t kShown = 10;  // of the parts in a message, and of the pairs in a verdict
+constexpr std::size_t kShown = 10;                  // of the parts in a message, and of the pairs in a verdict
+constexpr std::size_t kMostNamedPairs = 1'000'000;  // that a text may name
 
+/// The part with exactly this name, or those that the pattern fits.
 std::vector<std::size_t> parts_like(const std::vector<std::string>& parts, const std::string& pattern) {
+  const auto same = std::find(parts.begin(), parts.end(), pattern);
+  if (same != parts.end()) return {static_cast<std::size_t>(same - parts.begin())};
   std::vector<std::size_t> found;
   for (std::size_t i = 0; i < parts.size(); ++i) {
-    if (parts[i] == pattern || fnmatch(pattern.c_str(), parts[i].c_str(), 0) == 0) found.push_back(i);
+    if (fnmatch(pattern.c_str(), parts[i].c_str(), 0) == 0) found.push_back(i);
   }
   return found;
 }
@@ -31,17 +36,26 @@ std::string parts_for_person(const std::vector<std::string>& parts) {
   return parts.size() > kShown ? text + fmt::format(" and {} more", parts.size() - kShown) : text;
 }
 
-/// The pairs that "A,B" names. A name may have commas itself.
+/// The pairs that "A,B" names. A name may have commas itself. Two different texts name no part with itself.
 std::vector<std::array<std::size_t, 2>> pairs_like(const std::vector<std::string>& parts, const std::string& text,
                                                    const std::string& file) {
   std::vector<std::array<std::size_t, 2>> pairs;
   std::size_t ways = 0;
   for (std::size_t comma = text.find(','); comma != std::string::npos; comma = text.find(',', comma + 1)) {
-    const auto first = parts_like(parts, text.substr(0, comma)), second = parts_like(parts, text.substr(comma + 1));
-    ways += first.empty() || second.empty() ? 0 : 1;
-    for (const std::size_t a : first) {
-      for (const std::size_t b : second) pairs.push_back({std::min(a, b), std::max(a, b)});
+    const std::string a_text = text.substr(0, comma), b_text = text.substr(comma + 1);
+    const auto first = parts_like(parts, a_text), second = parts_like(parts, b_text);
+    if (!second.empty() && first.size() > kMostNamedPairs / second.size()) {
+      io::fail(file, fmt::format("'{}' names {} pairs of parts; at most {} may be named: name fewer",
+                                 io::shortened(io::printable(text)), io::grouped(first.size() * second.size()),
+                                 io::grouped(kMostNamedPairs)));
     }
+    const std::size_t before = pairs.size();
+    for (const std::size_t a : first) {
+      for (const std::size_t b : second) {
+        if (a != b || a_text == b_text) pairs.push_back({std::min(a, b), std::max(a, b)});
+      }
+    }
+    ways += pairs.size() > before ? 1 : 0;
   }
   if (ways == 1) return pairs;
   io::fail(file,
@@ -88,14 +102,17 @@ CollisionRules collision_rules(const frames::Topology& topology, const PartRules
     }
   }
   collision.group_rule = rules.rule;
-  const auto number = [&](const std::string& name) {
-    const auto found = std::find_if(topology.parts.begin(), topology.parts.end(),
-                                    [&](const std::string& part) { return io::printable(part) == name; });
-    return static_cast<MeshIndex>(found - topology.parts.begin());
-  };
-  for (const auto& [a, b] : rules.pairs) collision.group_pairs.push_back({number(a), number(b)});
+  std::unordered_multimap<std::string, MeshIndex> numbers;  // of the names as they are shown
+  for (MeshIndex part = 0; part < none; ++part) numbers.emplace(io::printable(topology.parts[part]), part);
+  for (const auto& [a, b] : rules.pairs) {
+    const auto [first_a, last_a] = numbers.equal_range(a);
+    const auto [first_b, last_b] = numbers.equal_range(b);
+    for (auto one = first_a; one != last_a; ++one) {
+      for (auto two = first_b; two != last_b; ++two) collision.group_pairs.push_back({one->second, two->second});
+    }
+  }
   if (rules.within) return collision;
-  for (MeshIndex group = 0; group <= none; ++group) collision.group_pairs.push_back({group, group});
+  for (MeshIndex group = 0; group < none; ++group) collision.group_pairs.push_back({group, group});
   return collision;
 }
 

@@ -12,7 +12,8 @@
 
 namespace touchstone::sequence {
 
-/// As a user gives it. A name may be a pattern with * ? [.
+/// As a user gives it. A text that is no part's name is a pattern with * ? [. Two different texts name no part with
+/// itself.
 struct PartOptions {
   std::vector<std::string> ignored = {};       ///< "A,B": A and B are not asked about
   std::vector<std::string> only_between = {};  ///< "A,B": nothing but A and B is asked about
@@ -21,7 +22,7 @@ struct PartOptions {
   bool empty() const noexcept { return ignored.empty() && only_between.empty() && !between_parts; }
 };
 
-/// The same for one mesh: names that it has.
+/// The same for one mesh: names that it has, as they are shown.
 struct PartRules {
   GroupRule rule = GroupRule::all_but_listed;
   bool within = true;                             ///< whether pairs within one part are asked about, beside the list
@@ -35,8 +36,9 @@ struct PartRules {
 /// @throws FileError  for a mesh without parts, or a name or pattern that none of its parts has
 PartRules part_rules_of(const frames::Topology& topology, const PartOptions& options, const std::string& file);
 
-/// The rules as vertices have them. Vertices in no face are a part without a name, which only a list of pairs to ask
-/// about leaves out.
+/// The rules as vertices have them. Vertices in no face are in no part: only a list of pairs to ask about leaves them
+/// out.
+/// @param topology  with the names that the rules were made for
 /// @throws FileError  for a vertex that two parts share: they cannot be told apart there
 CollisionRules collision_rules(const frames::Topology& topology, const PartRules& rules, const std::string& file);
 

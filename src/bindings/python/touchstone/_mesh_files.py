@@ -40,7 +40,7 @@ def _mesh_of(arrays: _Arrays, path: Any, between_parts: bool) -> Mesh:
     shared = np.flatnonzero((groups[faces] != face_parts[:, np.newaxis]).any(axis=1))
     if len(shared):
         raise ValueError(f"{path}: face {shared[0]} shares a vertex with another part, and between_parts is True")
-    numbers = np.arange(len(parts) + 1, dtype=np.uint32)
+    numbers = np.arange(len(parts), dtype=np.uint32)
     return Mesh(len(positions), faces, edges, loose, groups=groups, group_pairs=np.stack([numbers, numbers], axis=1))
 
 
