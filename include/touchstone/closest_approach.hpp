@@ -11,20 +11,23 @@ inline namespace TOUCHSTONE_ABI {
 
 /// The least distance of a mesh's elements, at rest or during a step.
 struct ClosestApproach {
-  /// The least distance, rounded up to a double: with it as the separation of every pair there is a contact, and with
-  /// the next lesser double there is none. It is 0 where the mesh intersects itself at the start. Infinity where no two
-  /// elements may collide, or where all that may are farther apart than the greatest double.
+  /// The least distance, rounded up to a double: some pair comes within it, and none within the next lesser double. It
+  /// is 0 where the mesh intersects itself at the start. Infinity where no two elements may collide, or where all that
+  /// may are farther apart than the greatest double.
   double distance = std::numeric_limits<double>::infinity();
 
-  /// The answer of `first_contact` with this distance as the separation, and with check_start: when the mesh is so near
-  /// first, and which pairs. A mesh that is so near all along has them in at_start.
+  /// The answer of `first_contact`, with check_start, of the same mesh without radii and with this distance as the
+  /// separation of every pair: when two elements come within the distance first, and which pairs. As the distance is
+  /// rounded up, that may be a little before the time at which they are nearest. A mesh that is so near all along has
+  /// its pairs in at_start.
   FirstContact first_contact;
 };
 
 /// The least distance in a step of two elements that may collide. Each vertex moves on a straight line from its
 /// position in x0 to that in x1. Distances are measured in the mesh's metric, between the elements as they are:
 /// separations and radii do not count. The pairs are those of first_contact: so of one surface all elements count that
-/// share no vertex. To ask between parts only, give the parts groups in CollisionRules.
+/// share no vertex, and neighbours along a wire count only where they touch. To ask between parts only, give the parts
+/// groups in CollisionRules.
 ///
 /// The result is the same for every number of threads.
 /// @param mesh     the mesh

@@ -130,6 +130,32 @@ TEST_CASE("of many small triangles no two come nearer than the closest approach"
   CHECK(4 * apart > scenes);
 }
 
+TEST_CASE("a far element does not make the search for the nearest pair compare all pairs") {
+  // Rows of triangles a hundredth apart, and one that is 1e30 or 1e300 away: all pairs would be 18 million.
+  for (const double far : {1e30, 1e300}) {
+    MeshElements elements;
+    std::vector<Vec3> x;
+    const auto add = [&](const Vec3& at) {
+      const auto first = static_cast<MeshIndex>(x.size());
+      elements.faces.push_back({first, first + 1, first + 2});
+      x.push_back(at);
+      x.push_back({at.x + 0.001, at.y, at.z});
+      x.push_back({at.x, at.y + 0.001, at.z});
+    };
+    for (int i = 0; i < 6000; ++i) add({0.01 * (i % 80), 0.01 * (i / 80), 0});
+    add({far, 0, 0});
+    x.push_back({-far, far, 0});  // in no element
+    elements.vertex_count = x.size();
+    const Mesh mesh(elements);
+    const ClosestApproach approach = distance(mesh, x);
+    CHECK(approach.distance > 0.0089);
+    CHECK(approach.distance < 0.009);
+    CHECK(closest_approach(mesh, x, x, {}).distance == approach.distance);
+    const Mesh nearer = with_separation(elements, std::nextafter(approach.distance, 0.0));
+    CHECK(first_contact(nearer, x, x).free());
+  }
+}
+
 TEST_CASE("parts are measured against each other alone, where only their groups collide") {
   // Two tetrahedra, one above the other's top, and an empty group.
   MeshElements elements;

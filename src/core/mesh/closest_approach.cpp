@@ -1,7 +1,8 @@
 // The boxes of elements are made to hold the elements' ways at all times, and to swell evenly while a number s goes
-// from 0 to 1. Two boxes that meet at s are at most as far from each other, along each axis, as they have swollen by
-// then. So pairs that are no nearer than the least distance found so far are those whose boxes meet only later: the
-// search for moving boxes, with a time that falls, looks for the nearest pair.
+// from 0 to 1. Two boxes that meet first at s are as far from each other, along some axis, as they have swollen by
+// then, and the elements no nearer. So pairs whose boxes meet only after that part of the swelling that makes up the
+// least distance found so far are no nearer: the search for moving boxes, with a time that falls, looks for the nearest
+// pair.
 // SPDX-License-Identifier: MIT
 #include <touchstone/closest_approach.hpp>
 
@@ -35,6 +36,7 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kMost = std::numeric_limits<double>::max();
+constexpr double kLeastSwelling = std::numeric_limits<double>::min();
 
 /// Two elements on their way, and how near they come to each other.
 class PairInStep {
@@ -80,28 +82,37 @@ class PairInStep {
   bool rests_;
 };
 
-/// Half of the mesh's greatest extent in the step, or a little more.
-double half_extent(const Motion& motion) noexcept {
+/// Half of the greatest extent of the mesh's elements in the step, or a little more.
+double half_extent(const Mesh::Impl& mesh, const Motion& motion) noexcept {
   double greatest = 0;
   for (double Vec3::*axis : {&Vec3::x, &Vec3::y, &Vec3::z}) {
     double low = kInfinity, high = -kInfinity;
-    for (const MovingVertex& vertex : motion) {
+    for (const Index v : mesh.vertices) {
+      const MovingVertex& vertex = motion[v];
       low = std::min({low, vertex.start.*axis, vertex.end.*axis});
       high = std::max({high, vertex.start.*axis, vertex.end.*axis});
     }
     greatest = std::max(greatest, 0.5 * high - 0.5 * low);
   }
-  return std::clamp(with_room(greatest), std::numeric_limits<double>::min(), kMost);
+  return std::clamp(with_room(greatest), kLeastSwelling, kMost);
 }
 
 /// The least distance of those that were told so far. Any thread may tell.
 class LeastDistance {
  public:
-  explicit LeastDistance(double swelling) : swelling_(swelling) {}
+  /// @param swelling  of the boxes
+  /// @param so_far    the least distance that another search found
+  LeastDistance(double swelling, double so_far) : swelling_(swelling) { tell(so_far); }
 
   /// Boxes that meet only after this part of their swelling are no nearer.
   const std::atomic<double>& until() const noexcept { return until_; }
   double so_far() const noexcept { return so_far_.load(std::memory_order_relaxed); }
+
+  /// Whether the swelling is so much greater than the least distance that `until` cannot tell pairs apart. The search
+  /// then ends early.
+  bool swells_too_far() const noexcept {
+    return so_far() > 0 && so_far() < kLeastRatio * swelling_ && swelling_ > kLeastSwelling;
+  }
 
   void tell(double distance) {
     const std::lock_guard<std::mutex> guard(lock_);
@@ -109,11 +120,12 @@ class LeastDistance {
     so_far_.store(distance, std::memory_order_relaxed);
     // Both boxes swell: s of 2 swelling is the distance. The rest is for roundings.
     const double until = std::min(1.0, 0.5 * distance / swelling_ * (1 + 0x1p-40) + 0x1p-60);
-    until_.store(distance == 0 ? kNever : until, std::memory_order_relaxed);
+    until_.store(distance == 0 || swells_too_far() ? kNever : until, std::memory_order_relaxed);
   }
 
  private:
   static constexpr double kNever = -1;
+  static constexpr double kLeastRatio = 0x1p-40;  // to the swelling: far above the reserve for roundings
 
   double swelling_;
   std::mutex lock_;
@@ -156,14 +168,19 @@ void tell_nearer(const Mesh::Impl& mesh, const Motion& motion, const StepOptions
 /// The least distance of elements that are apart at the start; infinity without any.
 double least_distance_of(const Mesh::Impl& mesh, const Motion& motion, const StepOptions& options) {
   Reach reach;
-  reach.swelling = half_extent(motion);
-  LeastDistance least_distance(reach.swelling);
-  for_each_candidate_block(mesh, motion, reach, {options.threads, &least_distance.until()},
-                           [&](Kind kind, const broad_phase::Pair* pairs, std::size_t count) {
-                             check_stop(options.stop);
-                             tell_nearer(mesh, motion, options, kind, pairs, count, least_distance);
-                           });
-  return least_distance.so_far();
+  reach.swelling = half_extent(mesh, motion);
+  double least = kInfinity;
+  for (;;) {
+    LeastDistance least_distance(reach.swelling, least);
+    for_each_candidate_block(mesh, motion, reach, {options.threads, &least_distance.until()},
+                             [&](Kind kind, const broad_phase::Pair* pairs, std::size_t count) {
+                               check_stop(options.stop);
+                               tell_nearer(mesh, motion, options, kind, pairs, count, least_distance);
+                             });
+    least = least_distance.so_far();
+    if (!least_distance.swells_too_far()) return least;
+    reach.swelling = std::max(least, kLeastSwelling);
+  }
 }
 
 TOUCHSTONE_BEHIND_GUARD ClosestApproach approach_of(const Mesh::Impl& mesh, const Positions& x0, const Positions& x1,
