@@ -37,12 +37,14 @@ TEST_CASE("the least distance of parts is found at rest and in a step, and writt
       mesh({"--clearance", "--only-between", "t*,base", one, two, three, "--report", folder.path("r.json")});
   CHECK(run.status == 1);
   CHECK(occurrences(run.out,
-                    "free; least distance 0.5: vertex 4 of base and face 5 (5-6-7) of top, t = 0x1p+0 (1)\n") == 1);
+                    "free; least distance 0.5: vertex 4 of base and face 5 (5-6-7) of top, from t = 0x1p+0 (1)\n") ==
+        1);
   CHECK(occurrences(run.out, "first contact at t = 0x1p-1 (0.5), 1 pair") == 1);
-  CHECK(occurrences(verdict(run), "; least distance 0 (") == 1);
+  CHECK(occurrences(run.out, "least distance") == 2 + 1);  // that of the step with a contact is not said twice
+  CHECK(occurrences(verdict(run), "; least distance 0 in t-2.obj -> t-3.obj (") == 1);
   CHECK(verdict(run).ends_with("; nothing but these parts was asked about: base and top"));
   const auto report = nlohmann::json::parse(folder.read("r.json"));
-  CHECK(report["parts"].dump() == R"({"only":[["base","top"]],"within":true})");
+  CHECK(report["parts"].dump() == R"({"only":[["base","top"]],"within":false})");
   CHECK(report["counts"]["least_distance"] == "0x0p+0");
   CHECK(report["results"][1]["clearance"]["distance"] == "0x1p-1");
   CHECK(report["results"][1]["clearance"]["pair"]["kind"] == "vertex-face");
@@ -65,6 +67,86 @@ TEST_CASE("parts that are ignored may pass through each other, and the verdict s
   CHECK(run.status == 0);
   CHECK(verdict(run).ends_with("; these parts were not asked about: base and top"));
   CHECK(mesh({"--separation", "0.75", "--between-parts", one, two}).status == 1);
+}
+
+TEST_CASE("elements in no part are asked about between parts, too") {
+  const TemporaryFolder folder;
+  const std::string wires = "v 0 0 9\nv 1 1 9\nl 9 10\nv 0 1 9\nv 1 0 9\nl 11 12\n";
+  const std::string one = folder.write("w.obj", two_tetrahedra(1) + wires);
+  const Run run = mesh({"--check", "--between-parts", one});
+  CHECK(run.status == 1);
+  CHECK(occurrences(run.out, "edge 9-10 touches edge 11-12") + occurrences(run.out, "edge 9-10 pierces") == 1);
+  CHECK(mesh({"--check", "--only-between", "base,top", one}).status == 0);
+}
+
+TEST_CASE("two different texts name no part with itself, and a name is no pattern where a part has it") {
+  const TemporaryFolder folder;
+  // base intersects itself: a triangle through another one.
+  const std::string crossing = "o base\nv 0 0 0\nv 4 0 0\nv 0 4 0\nf 1 2 3\nv 1 1 -1\nv 1 1 1\nv 1.5 1 1\nf 4 5 6\n";
+  const std::string far = "\nv 0 0 9\nv 1 0 9\nv 0 1 9\nf 7 8 9\n", more = "\nv 5 5 5\nv 6 5 5\nv 5 6 5\nf 10 11 12\n";
+  const std::string one = folder.write("c.obj", crossing + "o b[a]" + far + "o ba" + more);
+  const auto asked = [&](const std::string& parts) {
+    const Run run = mesh({"--check", "--only-between", parts, one});
+    CAPTURE(parts, run.err);
+    CHECK(run.status != 2);
+    return verdict(run).substr(verdict(run).find("asked about: "));
+  };
+  CHECK(asked("*,base") == "asked about: base and b[a], base and ba");
+  CHECK(asked("b[a],base") == "asked about: base and b[a]");
+  CHECK(asked("base,base") == "asked about: base and base");
+  CHECK(mesh({"--check", "--only-between", "base,base", one}).status == 1);
+  CHECK(mesh({"--check", "--only-between", "bas?,base", one}).err.find("names no two parts") != std::string::npos);
+}
+
+TEST_CASE("the least distance is told in the metric, and where there is a contact within the separation") {
+  const TemporaryFolder folder;
+  const std::string corner = "o a\nv 0 0 0\nv -1 0 0\nv 0 -1 0\nf 1 2 3\no b\nv 3 4 0\nv 4 4 0\nv 3 5 0\nf 4 5 6\n";
+  const std::string one = folder.write("m-1.obj", corner);
+  CHECK(occurrences(mesh({"--check", "--clearance", one}).out, "; least distance 5: ") == 1);
+  const Run most = mesh({"--check", "--clearance", "--metric", "max", one});
+  CHECK(occurrences(most.out, "; least distance 4 in the max metric: ") == 1);
+  CHECK(occurrences(verdict(most), "; least distance 4 in the max metric (") == 1);
+  CHECK(mesh({"--check", "--metric", "max", one}).err.find("--metric requires --separation or --clearance") !=
+        std::string::npos);
+  std::string nearer = corner;
+  nearer.replace(nearer.find("v 3 4 0"), 7, "v 0 1 0");
+  const std::string two = folder.write("m-2.obj", nearer);
+  const Run within = mesh({"--clearance", "--separation", "2", one, two});
+  CHECK(within.status == 1);
+  CHECK(occurrences(within.out, "\n  least distance 1: vertex 1 of a and vertex 4 of b, from t = ") +
+            occurrences(within.out, "\n  least distance 1: ") >=
+        1);
+  CHECK(occurrences(verdict(within), "; least distance 1 in m-1.obj -> m-2.obj (") == 1);
+}
+
+TEST_CASE("a step from a frame that intersects itself has no distance, in a shard, too") {
+  const TemporaryFolder folder;
+  std::vector<std::string> files;
+  for (int i = 0; i < 4; ++i) files.push_back(folder.write("s-" + std::to_string(i) + ".obj", two_tetrahedra(-0.5)));
+  for (const std::string shard : {"1/2", "2/2"}) {
+    std::vector<std::string> arguments = {"--clearance", "--shard", shard, "--report", folder.path(shard[0] + ".json")};
+    arguments.insert(arguments.end(), files.begin(), files.end());
+    const Run run = mesh(arguments);
+    CAPTURE(run.out, run.err);
+    CHECK(occurrences(run.out, "free of contact; its first frame intersects itself\n") == (shard == "1/2" ? 2 : 1));
+    CHECK(occurrences(run.out, "no two elements") == 0);
+  }
+}
+
+TEST_CASE("frames of other parts are refused where parts are asked about") {
+  const TemporaryFolder folder;
+  const std::string one = folder.write("p-1.obj", two_tetrahedra(1));
+  std::string other = two_tetrahedra(2);
+  other.replace(other.find("o top"), 5, "o tip");
+  const std::string two = folder.write("p-2.obj", other);
+  CHECK(mesh({one, two}).status == 0);
+  for (const bool check : {false, true}) {
+    std::vector<std::string> arguments = {"--only-between", "base,top", one, two};
+    if (check) arguments.insert(arguments.begin(), "--check");
+    const Run run = mesh(arguments);
+    CHECK(run.status == 2);
+    CHECK(occurrences(run.err, "the parts have other names") == 1);
+  }
 }
 
 TEST_CASE("options about parts that mean nothing are refused") {

@@ -166,7 +166,7 @@ TEST_CASE("without --resume the journal of an earlier run is refused, and nothin
                     "on with it, or remove the file\n") == 1);
   const Run other = sample.report({"--resume", "--separation", "0.25"});
   CHECK(other.status == 2);
-  CHECK(occurrences(other.err, "is about touching, and this run about separation 0x1p-2, euclidean\n") == 1);
+  CHECK(occurrences(other.err, "is about touching, euclidean, and this run about separation 0x1p-2, euclidean\n") == 1);
   CHECK(sample.folder.read("r.json.progress") == journal);
 }
 
@@ -185,7 +185,7 @@ TEST_CASE("the option --resume starts without a journal, and with the finished r
   CHECK(sample.folder.read("r.json") == sample.whole);
   const Run other = sample.report({"--resume", "--separation", "0.25"});
   CHECK(other.status == 2);
-  CHECK(occurrences(other.err, "r.json: is about touching, and this run about separation 0x1p-2") == 1);
+  CHECK(occurrences(other.err, "r.json: is about touching, euclidean, and this run about separation 0x1p-2") == 1);
   CHECK_FALSE(sample.has("r.json.progress"));
   // Without --resume the report is made again.
   CHECK(sample.report({"--separation", "0.25"}).status == 1);

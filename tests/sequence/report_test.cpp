@@ -103,7 +103,8 @@ TEST_CASE("a report is JSON that says everything, and is read back") {
   CHECK(json["results"][2]["first"][0]["second"] ==
         nlohmann::json({{"element", "face"}, {"number", 17}, {"vertices", {4, 5, 6}}, {"part", "c,d"}}));
   CHECK(json["results"][5]["toi"].is_null());
-  CHECK(json["results"][1] == nlohmann::json({{"from", 0}, {"to", 1}, {"free", true}}));
+  CHECK(json["results"][1] ==
+        nlohmann::json({{"from", 0}, {"to", 1}, {"free", true}, {"clearance", {{"distance", nullptr}}}}));
 }
 
 TEST_CASE("the table of pairs has a row for each pair, and every row has all columns") {
@@ -283,7 +284,10 @@ TEST_CASE("a report with a right digest and wrong content is refused by its key"
   check("\"within\": false", "\"within\": 0", "parts.within: must be true or false");
   check("[\"c,d\", \"e\"]", "[\"c,d\"]", "parts.ignored[1]: must be two names");
   check("\"ignored\"", "\"only\"", "not as touchstone mesh writes it");
-  check("\"clearance\": true", "\"clearance\": false", "not as touchstone mesh writes it");
+  check("\"clearance\": true", "\"clearance\": false", "clearance: must be true, or not be there");
+  check(",\n \"clearance\": true", "", "results[0]: has a clearance, and the heading does not say so");
+  check(",\"clearance\":{\"distance\":null}", "", "results[1]: has no clearance, and the heading says true");
+  check("[\"c,d\", \"e\"]", "[\"a \\\"b\\\"\", \"c,d\"]", "parts.ignored[1]: must come after the pair before it");
   check("\"distance\":\"0x1.8p-3\"", "\"distance\":\"-0x1.8p-3\"", "distance: must be null or a hexfloat");
   check("\"pairs\":2", "\"pairs\":0", "results[3].clearance.pairs");
   check("start from a frame", "start with a frame", "not as touchstone mesh writes it");

@@ -47,7 +47,7 @@ inline sequence::Report sample_report() {
   first.intersections = {{edge, face, Sort::pierces}};
   report.results[0].clearance = {.distance = 0};
   report.results[3].clearance = {0x1.8p-3, 0x1p-2, 0x1.0000000000001p-2, 2, first.first[0]};
-  report.results[4].clearance = Clearance();
+  for (const std::size_t i : {1, 2, 4, 5, 6}) report.results[i].clearance = Clearance();
   report.results[5].at_start = {
       {Kind::edge_edge, edge, edge, Nature::sustained, Feature::overlap, Feature::overlap, Trend::constant},
       {Kind::point_edge, vertex, edge, Nature::isolated, Feature::p, Feature::e, Trend::leaving}};

@@ -95,7 +95,9 @@ sequence::Heading heading_for(const MeshRunOptions& options, const std::vector<F
   heading.question = options.check ? Question::rest : Question::steps;
   heading.separation = options.separation.separation;
   heading.clearance = options.clearance;
-  if (heading.separation.distance == 0) heading.separation.metric = Metric::euclidean;  // the metric has no meaning
+  if (heading.separation.distance == 0 && !heading.clearance) {
+    heading.separation.metric = Metric::euclidean;  // it has no meaning
+  }
   heading.frame_count = names.size();
   std::vector<std::string> labels;
   for (const auto& name : names) labels.push_back(name.label());
@@ -169,6 +171,9 @@ class Checker {
     const FrameName& name = names_[index];
     if (before_ != nullptr && !may_differ(options_)) {
       sequence::check_same_elements(*before_->topology, names_[index - 1], *frame->topology, name);
+      if (!parts_.empty()) {
+        sequence::check_same_parts(*before_->topology, names_[index - 1], *frame->topology, name);
+      }
     }
     if (question_ == Question::rest && frame->topology != topology_) {
       mesh_ = sequence::mesh_of(*frame->topology, separation_, elements_file(options_, name), parts_);

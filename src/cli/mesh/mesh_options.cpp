@@ -42,11 +42,13 @@ void add_mesh(CLI::App& program, Command& command) {
   subcommand->add_flag("--drop-degenerate", options->repairs.drop_degenerate,
                        "Leave out faces and edges that name a vertex twice, or the vertices of one before them");
   add_separation_options(*subcommand, options->separation, "The distance at which two elements are in contact");
-  subcommand->get_option("--separation")->excludes(check);
-  subcommand->add_flag(
+  CLI::Option* const separation = subcommand->get_option("--separation")->excludes(check);
+  CLI::Option* const clearance = subcommand->add_flag(
       "--clearance", options->clearance,
       "Find the least distance of two elements in each step, too, or at rest with --check: rounded up "
       "to a double, between the elements as they are. Elements of one part count that share no vertex");
+  CLI::Option* const metric = subcommand->get_option("--metric");
+  metric->remove_needs(separation);  // one of two is needed
   const auto pair_of_parts = [](const std::string& text) {
     return text.find(',') == std::string::npos ? "must be two names of parts, such as A,B" : std::string();
   };
@@ -54,7 +56,7 @@ void add_mesh(CLI::App& program, Command& command) {
       subcommand
           ->add_option("--only-between", options->parts.only_between,
                        "Ask about these two parts against each other, and about nothing else: objects or groups of "
-                       "the file, or patterns with * ? [. It may be given several times")
+                       "the file, or patterns with * ? [. A,A asks about pairs within A. It may be given several times")
           ->type_name("A,B")
           ->allow_extra_args(false)
           ->check(pair_of_parts);
@@ -141,7 +143,10 @@ void add_mesh(CLI::App& program, Command& command) {
       "  touchstone mesh --prove proved cloth-*.obj && touchstone-check proved/proofs.txt proved/motion.txt\n\n"
       "Exit status: 0 every step is free and the first frame does not intersect itself (--check: no frame does), 1\n"
       "otherwise, 2 bad usage or bad input.");
-  subcommand->callback([options, &command] { command = [options] { return run_mesh(*options); }; });
+  subcommand->callback([=, &command] {
+    if (*metric && !*separation && !*clearance) throw CLI::RequiresError("--metric", "--separation or --clearance");
+    command = [options] { return run_mesh(*options); };
+  });
 }
 
 }  // namespace touchstone::cli

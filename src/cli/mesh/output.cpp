@@ -39,14 +39,18 @@ std::string time_range(double toi, double toi_upper) {
   return fmt::format("t in [{}, {}] ({})", io::hexfloat(toi), io::hexfloat(toi_upper), toi);
 }
 
-/// "; least distance 0.25: vertex 3 and face 5 (6-7-8), t = 0.5" of what is free; empty where it was not asked for.
-std::string clearance_of(const sequence::Result& result) {
+/// "least distance 0.25: vertex 3 and face 5 (6-7-8), from t = 0.5". Empty where it was not asked for, and where the
+/// frame or step was found to intersect itself or to touch without it.
+std::string clearance_of(const sequence::Result& result, const Separation& separation) {
   if (!result.clearance) return {};
   const sequence::Clearance& clearance = *result.clearance;
-  if (clearance.pairs == 0) return "; no two elements have a distance";
-  std::string text = fmt::format("; least distance {}: {} and {}", clearance.distance,
-                                 element_for_person(clearance.pair.first), element_for_person(clearance.pair.second));
-  if (result.step) text += ", " + time_range(clearance.toi, clearance.toi_upper);
+  if (clearance.starts_intersecting()) return result.step && result.free() ? "its first frame intersects itself" : "";
+  if (clearance.distance == 0 && separation.distance == 0 && !result.free()) return {};
+  std::string text = least_distance_for_person(clearance.distance, separation.metric);
+  if (clearance.pairs == 0) return text;
+  text +=
+      fmt::format(": {} and {}", element_for_person(clearance.pair.first), element_for_person(clearance.pair.second));
+  if (result.step) text += ", from " + time_range(clearance.toi, clearance.toi_upper);
   return clearance.pairs == 1 ? text : text + fmt::format(", and {}", counted(clearance.pairs - 1, "more pair"));
 }
 
@@ -176,16 +180,19 @@ void MeshOutput::add(sequence::Finished finished, const frames::Frame& before, c
 
 std::string MeshOutput::lines_of(const sequence::Result& result, const frames::Frame& before,
                                  const frames::Frame& after) {
+  const std::string clearance = clearance_of(result, report_.heading.separation);
+  const std::string more = clearance.empty() ? clearance : "; " + clearance;
   if (!result.step) {
-    if (result.free()) return label(result.frame) + ": no intersection" + clearance_of(result) + "\n";
+    if (result.free()) return label(result.frame) + ": no intersection" + more + "\n";
     std::string text = fmt::format("{}: {}\n", label(result.frame), intersections_of(result));
     if (result.coinciding > 0) text += fmt::format("  {} vertices lie exactly on others\n", grouped(result.coinciding));
     return text + intersection_lines(result.intersections, "  ");
   }
   std::string text = label(result.frame) + " -> " + label(result.frame + 1) + ": ";
   if (result.free()) {
-    text += counts_.ends_intersecting ? "free of contact; its first frame intersects itself" : "free";
-    return text + (counts_.ends_intersecting ? "" : clearance_of(result)) + "\n";
+    if (counts_.ends_intersecting) return text + "free of contact; its first frame intersects itself\n";
+    const bool starts_intersecting = result.clearance && result.clearance->starts_intersecting();
+    return text + (starts_intersecting ? "free of contact" : "free") + more + "\n";
   }
   if (!result.first.empty()) {
     text += fmt::format("first contact at {}, {}\n", time_range(result.toi, result.toi_upper),
@@ -196,6 +203,7 @@ std::string MeshOutput::lines_of(const sequence::Result& result, const frames::F
     text += pairs_are(result.at_start.size()) + "\n";
   }
   text += pair_lines(result.at_start, result, before, after, result.first.empty() ? "  " : "    ");
+  if (!clearance.empty()) text += "  " + clearance + "\n";
   if (!result.intersections.empty()) {
     text += fmt::format("  {} then has {}\n", label(result.frame + 1), intersections_of(result));
     text += intersection_lines(result.intersections, "    ");

@@ -7,6 +7,7 @@
 
 #include "cli/shared/command_line/separation_options.hpp"
 #include "cli/shared/words.hpp"
+#include "sequence/report_json.hpp"
 #include "sequence/scope.hpp"
 
 namespace touchstone::cli {
@@ -33,6 +34,11 @@ std::string intersections_for_person(const sequence::IntersectionCounts& counts)
   return text;
 }
 
+std::string least_distance_for_person(double distance, Metric metric) {
+  if (std::isinf(distance)) return "no two elements have a distance";
+  return fmt::format("least distance {}{}", distance, metric == Metric::max ? " in the max metric" : "");
+}
+
 std::string counts_for_person(const sequence::Heading& heading, const std::vector<sequence::FrameEntry>& frames,
                               const sequence::ResultCounts& counts) {
   const bool steps = heading.question == sequence::Question::steps;
@@ -53,9 +59,12 @@ std::string counts_for_person(const sequence::Heading& heading, const std::vecto
   if (steps && counts.intersections.all > 0) {
     text += fmt::format("; the first frame has {}", intersections_for_person(counts.intersections));
   }
-  if (const auto& distance = counts.least_distance) {
-    text += std::isinf(*distance) ? std::string("; no two elements have a distance")
-                                  : fmt::format("; least distance {}", *distance);
+  if (const auto& least = counts.least_distance) {
+    text += "; " + least_distance_for_person(least->distance, heading.separation.metric);
+    if (std::isfinite(least->distance) && heading.frame_count > 1 && !frames.empty()) {
+      const auto name = [&](std::size_t frame) { return frames[frame - sequence::range_of(heading).first].label; };
+      text += fmt::format(" in {}{}", name(least->frame), least->step ? " -> " + name(least->frame + 1) : "");
+    }
   }
   text += " (" + sequence::scope_of(heading, frames);
   if (heading.separation.distance > 0) text += "; " + separation_for_person(heading.separation);

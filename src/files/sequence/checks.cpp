@@ -231,6 +231,12 @@ void check_same_elements(const Topology& before, const FrameName& name_before, c
   }
 }
 
+void check_same_parts(const Topology& before, const FrameName& name_before, const Topology& after,
+                      const FrameName& name_after) {
+  if (before.parts != after.parts) refuse_change(name_before, name_after, "the parts have other names");
+  if (before.face_parts != after.face_parts) refuse_change(name_before, name_after, "faces are in other parts");
+}
+
 Result check_frame(const Mesh& mesh, const Frame& frame, std::size_t index, const CheckOptions& how) {
   Result result;
   result.frame = index;

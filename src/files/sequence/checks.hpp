@@ -32,6 +32,10 @@ void check_positions(const frames::Frame& frame, const FrameName& name);
 void check_same_elements(const frames::Topology& before, const FrameName& name_before, const frames::Topology& after,
                          const FrameName& name_after);
 
+/// @throws FileError  naming both frames, unless both have the same parts: their names, and the faces in them
+void check_same_parts(const frames::Topology& before, const FrameName& name_before, const frames::Topology& after,
+                      const FrameName& name_after);
+
 /// Where a frame intersects itself.
 /// @param index  its place in the sequence
 Result check_frame(const Mesh& mesh, const frames::Frame& frame, std::size_t index, const CheckOptions& options);

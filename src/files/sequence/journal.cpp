@@ -49,7 +49,7 @@ std::string heading_line(const Heading& heading) {
   return json;
 }
 
-Finished finished_from(const std::string& text, const Result& right) {
+Finished finished_from(const std::string& text, const Result& right, const Heading& heading) {
   const json::JsonDocument document = json::parse_json(text);
   const json::JsonNode root(document.value(), "the line");
   root.check_keys({"sha256", "result"});
@@ -59,6 +59,7 @@ Finished finished_from(const std::string& text, const Result& right) {
       finished.result.frame != right.frame) {
     root.fail("is about another frame or step than its place in the file");
   }
+  if (finished.result.clearance.has_value() != heading.clearance) root.fail("answers another question");
   return finished;
 }
 
@@ -140,7 +141,7 @@ void Journal::read(const Heading& heading) {
       while (finished_.size() < most) {
         const auto line = take_line(text);
         if (!line) break;
-        finished_.push_back(finished_from(*line, result_at(heading.question, range, finished_.size())));
+        finished_.push_back(finished_from(*line, result_at(heading.question, range, finished_.size()), heading));
       }
     }
   } catch (const FileError&) {

@@ -21,7 +21,7 @@ std::string shown_shard(const std::optional<Shard>& shard) {
 }
 
 std::string shown_separation(const Separation& separation) {
-  if (separation.distance == 0) return "touching";
+  if (separation.distance == 0) return fmt::format("touching, {}", name_of(separation.metric));
   return fmt::format("separation {}, {}", io::hexfloat(separation.distance), name_of(separation.metric));
 }
 
@@ -35,7 +35,8 @@ std::string json_of(const PartRules& rules) {
   for (const auto& [a, b] : rules.pairs) {
     text += fmt::format("{}[{}, {}]", text.back() == '[' ? "" : ", ", json_string(a), json_string(b));
   }
-  return text + fmt::format("], \"within\": {}}}", rules.within);
+  const bool within = rules.within && rules.rule == GroupRule::all_but_listed;
+  return text + fmt::format("], \"within\": {}}}", within);
 }
 
 std::string shown_facts(const std::optional<MeshFacts>& facts) {
@@ -104,8 +105,8 @@ std::string report_text(const Report& report) {
                       steps ? "_of_first_frame" : "", counts.intersections.all, counts.intersections.folds,
                       counts.intersections.inside, counts.enclosed.all());
   if (steps) text += fmt::format(", \"free_from_intersecting_frame\": {}", counts.from_intersecting);
-  if (counts.least_distance && std::isfinite(*counts.least_distance)) {
-    text += fmt::format(", \"least_distance\": \"{}\"", io::hexfloat(*counts.least_distance));
+  if (counts.least_distance && std::isfinite(counts.least_distance->distance)) {
+    text += fmt::format(", \"least_distance\": \"{}\"", io::hexfloat(counts.least_distance->distance));
   }
   text += "},\n \"warnings\": [";
   std::vector<std::string> warnings = warnings_of(report.heading, report.frames, counts);

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
+#include <array>
 #include <string>
+#include <utility>
 
 #include <touchstone/error.hpp>
 
@@ -55,15 +57,21 @@ Separation separation_from(const JsonNode& root) {
 }
 
 PartRules parts_from(const JsonNode& node) {
-  node.check_keys({"only", "ignored", "within"});
+  const bool only = node.has("only");
+  node.check_keys({only ? "only" : "ignored", "within"});
   PartRules rules;
-  rules.rule = node.has("only") ? GroupRule::only_listed : GroupRule::all_but_listed;
-  rules.within = node.at("within").boolean();
-  for (const JsonNode& pair : node.at(node.has("only") ? "only" : "ignored").items()) {
+  rules.rule = only ? GroupRule::only_listed : GroupRule::all_but_listed;
+  const bool within = node.at("within").boolean();
+  if (only && within) node.at("within").fail("must be false beside only");
+  rules.within = only || within;
+  for (const JsonNode& pair : node.at(only ? "only" : "ignored").items()) {
     const auto names = pair.items();
     if (names.size() != 2) pair.fail("must be two names");
-    rules.pairs.push_back({clean_text_from(names[0]), clean_text_from(names[1])});
+    std::array<std::string, 2> parts = {clean_text_from(names[0]), clean_text_from(names[1])};
+    if (!rules.pairs.empty() && !(rules.pairs.back() < parts)) pair.fail("must come after the pair before it");
+    rules.pairs.push_back(std::move(parts));
   }
+  if (rules.empty() || (only && rules.pairs.empty())) node.fail("leaves nothing out, or everything");
   return rules;
 }
 
@@ -90,7 +98,10 @@ Heading heading_of(const JsonNode& root) {
     heading.shard = shard_from(*shard, item_count(heading.question, heading.frame_count));
   }
   if (const auto parts = root.find("parts")) heading.parts = parts_from(*parts);
-  if (const auto clearance = root.find("clearance")) heading.clearance = clearance->boolean();
+  if (const auto clearance = root.find("clearance")) {
+    heading.clearance = clearance->boolean();
+    if (!heading.clearance) clearance->fail("must be true, or not be there");
+  }
   if (steps || root.has("mesh")) heading.facts = facts_from(root.at("mesh"));
   return heading;
 }
@@ -134,6 +145,10 @@ Report report_from(std::string_view text) {
     const Result right = result_at(question, range, i);
     if (result.step != right.step || result.frame != right.frame) {
       results[i].fail("is about another frame or step than its place in the list");
+    }
+    if (result.clearance.has_value() != report.heading.clearance) {
+      results[i].fail(report.heading.clearance ? "has no clearance, and the heading says true"
+                                               : "has a clearance, and the heading does not say so");
     }
     report.results.push_back(std::move(result));
   }

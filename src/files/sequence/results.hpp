@@ -74,10 +74,13 @@ struct EnclosedCounts {
 /// The least distance of two elements in a step or in a frame.
 struct Clearance {
   double distance = std::numeric_limits<double>::infinity();  ///< rounded up; infinity without two that may collide
-  double toi = 0;                                             ///< when two elements are so near first, in [0, 1]
-  double toi_upper = 0;                                       ///< the double after that, or the same
-  std::size_t pairs = 0;  ///< how many are so near first; 0 where the mesh intersects itself at the start
+  double toi = 0;         ///< when two elements come within that distance first, in [0, 1]
+  double toi_upper = 0;   ///< the double after that, or the same
+  std::size_t pairs = 0;  ///< how many do then; 0 where the mesh intersects itself at the start
   PairContact pair = {};  ///< the first of them
+
+  /// Whether the mesh intersects itself at the start; the distance is 0 then.
+  bool starts_intersecting() const noexcept { return distance == 0 && pairs == 0; }
 };
 
 /// What was found about a frame at rest, or about the step from a frame to the next.
@@ -210,19 +213,26 @@ struct Report {
   std::vector<Result> results;     ///< in the order of frames
 };
 
+/// The least distance of all results, and the first frame or step that has it.
+struct LeastDistance {
+  double distance = std::numeric_limits<double>::infinity();
+  bool step = false;      ///< as Result::step
+  std::size_t frame = 0;  ///< as Result::frame
+};
+
 /// The counts at the end of a report.
 struct ResultCounts {
-  std::size_t results = 0;               ///< steps, or frames at rest
-  std::size_t free = 0;                  ///< of those, the free ones
-  IntersectionCounts intersections;      ///< of the first frame, when steps are asked about, else of all frames
-  std::size_t from_intersecting = 0;     ///< the free steps from a frame that intersects itself, as far as is known
-  EnclosedCounts enclosed;               ///< of the same frames as `intersections`
-  std::size_t frames_enclosing = 0;      ///< those with such parts
-  std::size_t flat = 0;                  ///< the greatest of Result::flat
-  std::size_t in_open = 0;               ///< the greatest of Result::in_open
-  std::size_t turning = 0;               ///< the greatest of Result::turning
-  std::size_t coinciding = 0;            ///< the greatest of Result::coinciding
-  std::optional<double> least_distance;  ///< of Result::clearance; nothing where it was not asked for
+  std::size_t results = 0;            ///< steps, or frames at rest
+  std::size_t free = 0;               ///< of those, the free ones
+  IntersectionCounts intersections;   ///< of the first frame, when steps are asked about, else of all frames
+  std::size_t from_intersecting = 0;  ///< the free steps from a frame that intersects itself, as far as is known
+  EnclosedCounts enclosed;            ///< of the same frames as `intersections`
+  std::size_t frames_enclosing = 0;   ///< those with such parts
+  std::size_t flat = 0;               ///< the greatest of Result::flat
+  std::size_t in_open = 0;            ///< the greatest of Result::in_open
+  std::size_t turning = 0;            ///< the greatest of Result::turning
+  std::size_t coinciding = 0;         ///< the greatest of Result::coinciding
+  std::optional<LeastDistance> least_distance;  ///< of Result::clearance; nothing where it was not asked for
   bool ends_intersecting = false;  ///< whether the frame at the end of the last result is known to intersect itself
 
   bool all_free() const noexcept { return free == results && intersections.all == 0; }
@@ -231,8 +241,12 @@ struct ResultCounts {
     in_open = result.in_open > in_open ? result.in_open : in_open;
     turning = result.turning > turning ? result.turning : turning;
     coinciding = result.coinciding > coinciding ? result.coinciding : coinciding;
-    if (result.clearance && !(least_distance && *least_distance <= result.clearance->distance)) {
-      least_distance = result.clearance->distance;
+    if (result.clearance) {
+      const double distance = result.clearance->distance;
+      if (!least_distance || distance < least_distance->distance) {
+        least_distance = {distance, result.step, result.frame};
+      }
+      if (result.step && result.clearance->starts_intersecting()) ends_intersecting = true;
     }
     // A step without contact leaves a frame that intersects itself as it is.
     if (question == Question::rest || !result.free()) ends_intersecting = !result.intersections.empty();
