@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <limits>
 #include <string>
 #include <utility>
@@ -15,6 +14,7 @@
 
 #include "mesh/contacts.hpp"
 #include "mesh/pair_distance.hpp"
+#include "numbers/doubles/decimal_text.hpp"
 #include "numbers/doubles/float_environment.hpp"
 #include "solver/cascade.hpp"
 #include "threads/for_each_range.hpp"
@@ -242,9 +242,8 @@ TOUCHSTONE_BEHIND_GUARD FreeStep find_step(const Mesh::Impl& mesh, const Positio
 
 void check_fraction(double fraction) {
   if (fraction >= 0 && fraction < 1) return;
-  char number[32];
-  std::snprintf(number, sizeof number, "%.17g", fraction);
-  throw InvalidQuery(std::string("the fraction of the distance to keep is ") + number + "; it must be in [0, 1)");
+  throw InvalidQuery("the fraction of the distance to keep is " + numbers::decimal_text(fraction) +
+                     "; it must be in [0, 1)");
 }
 
 }  // namespace

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <limits>
 #include <map>
 #include <string>
@@ -15,6 +14,7 @@
 #include "geometry/kind_traits.hpp"
 #include "mesh/mesh_elements.hpp"
 #include "mesh/pair_distance.hpp"
+#include "numbers/doubles/decimal_text.hpp"
 #include "numbers/doubles/float_environment.hpp"
 #include "solver/validate.hpp"
 
@@ -211,12 +211,6 @@ void find_points(Mesh::Impl& mesh, const std::optional<std::vector<Index>>& give
 
 constexpr double kGreatestRadius = std::numeric_limits<double>::max() / 4;  // sums and boxes stay finite
 
-std::string number_text(double x) {
-  char digits[32];
-  std::snprintf(digits, sizeof digits, "%.17g", x);
-  return digits;
-}
-
 void check_radii(const Mesh::Impl& mesh) {
   solver::validate(mesh.separation);
   if (mesh.radii.empty()) return;
@@ -229,7 +223,7 @@ void check_radii(const Mesh::Impl& mesh) {
   }
   for (std::size_t v = 0; v < mesh.radii.size(); ++v) {
     if (mesh.radii[v] >= 0 && mesh.radii[v] <= kGreatestRadius) continue;
-    throw InvalidMesh("vertex " + text(v) + " has the radius " + number_text(mesh.radii[v]) +
+    throw InvalidMesh("vertex " + text(v) + " has the radius " + numbers::decimal_text(mesh.radii[v]) +
                       "; a radius must be finite, not negative, and at most a quarter of the greatest double");
   }
 }
@@ -250,7 +244,7 @@ void take_pair_separations(Mesh::Impl& mesh, std::vector<PairSeparation> separat
   for (std::size_t i = 0; i < separations.size(); ++i) {
     check_pair(mesh, "pair separation " + text(i), separations[i].pair);
     if (separations[i].distance >= 0 && separations[i].distance <= kGreatestRadius) continue;
-    throw InvalidMesh("pair separation " + text(i) + " is " + number_text(separations[i].distance) +
+    throw InvalidMesh("pair separation " + text(i) + " is " + numbers::decimal_text(separations[i].distance) +
                       "; it must be finite, not negative, and at most a quarter of the greatest double");
   }
   for (PairSeparation& separation : separations) separation.pair = mesh::in_order(separation.pair);

@@ -4,13 +4,13 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <cstdio>
 #include <limits>
 #include <string>
 #include <vector>
 
 #include <touchstone/error.hpp>
 
+#include "numbers/doubles/decimal_text.hpp"
 #include "numbers/doubles/float_environment.hpp"
 #include "solver/cascade.hpp"
 #include "threads/for_each_range.hpp"
@@ -63,9 +63,7 @@ TOUCHSTONE_BEHIND_GUARD void check_finite(const Motion& motion) {
 }  // namespace
 
 void refuse_coordinate(std::size_t vertex, std::size_t axis, double value, int time, const std::string& fault) {
-  char number[32];
-  std::snprintf(number, sizeof number, "%.17g", value);
-  throw InvalidQuery("vertex " + std::to_string(vertex) + " has " + "xyz"[axis] + " = " + number +
+  throw InvalidQuery("vertex " + std::to_string(vertex) + " has " + "xyz"[axis] + " = " + numbers::decimal_text(value) +
                      " at t = " + std::to_string(time) + fault);
 }
 

@@ -3,10 +3,10 @@
 
 #include <cmath>
 #include <cstdint>
-#include <cstdio>
 #include <cstring>
 #include <string>
 
+#include "numbers/doubles/decimal_text.hpp"
 #include "numbers/fraction.hpp"
 
 namespace touchstone::solver {
@@ -18,12 +18,6 @@ std::string where(Kind kind, std::size_t corner, int end, std::size_t axis) {
   std::string text(name_of(kind));
   text.append(" query: corner ").append(corner_name(kind, corner)).append(" at t = ").append(std::to_string(end));
   return text.append(" has ").append(1, kAxes[axis]).append(" = ");
-}
-
-std::string number(double x) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.17g", x);
-  return text;
 }
 
 std::string shortened(const std::string& text) {
@@ -63,7 +57,7 @@ bool all_finite(const double* x, std::size_t count) noexcept {
       const double coordinates[3] = {corners[i].x, corners[i].y, corners[i].z};
       for (std::size_t axis = 0; axis < 3; ++axis) {
         if (std::isfinite(coordinates[axis])) continue;
-        throw InvalidQuery(where(query.kind, i, side, axis) + number(coordinates[axis]) +
+        throw InvalidQuery(where(query.kind, i, side, axis) + numbers::decimal_text(coordinates[axis]) +
                            "; coordinates must be finite");
       }
     }
@@ -75,16 +69,16 @@ bool all_finite(const double* x, std::size_t count) noexcept {
 
 void validate_t_max(double t_max) {
   if (is_time(t_max)) return;
-  throw InvalidQuery("t_max is " + number(t_max) + "; it must be in [0, 1]");
+  throw InvalidQuery("t_max is " + numbers::decimal_text(t_max) + "; it must be in [0, 1]");
 }
 
 void validate_time(double time) {
   if (is_time(time)) return;
-  throw InvalidQuery("the time is " + number(time) + "; it must be in [0, 1]");
+  throw InvalidQuery("the time is " + numbers::decimal_text(time) + "; it must be in [0, 1]");
 }
 
 void validate_finite_time(double time) {
-  if (!std::isfinite(time)) throw InvalidQuery("the time is " + number(time) + "; it must be finite");
+  if (!std::isfinite(time)) throw InvalidQuery("the time is " + numbers::decimal_text(time) + "; it must be finite");
 }
 
 void validate_fraction(const Fraction& time) {
@@ -105,7 +99,7 @@ void validate_distance(double distance) {
   constexpr std::uint64_t kInfinity = 0x7FF0000000000000;
   constexpr std::uint64_t kMinusZero = 0x8000000000000000;
   if (bits < kInfinity || bits == kMinusZero) return;
-  throw InvalidQuery("the separation is " + number(distance) + "; it must be finite and not negative");
+  throw InvalidQuery("the separation is " + numbers::decimal_text(distance) + "; it must be finite and not negative");
 }
 
 void validate(const Separation& separation) {

@@ -2,26 +2,20 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <cstdio>
 #include <string>
 
+#include "numbers/doubles/decimal_text.hpp"
 #include "numbers/roots/vanishing.hpp"
 #include "solver/validate.hpp"
 
 namespace touchstone::solver {
 namespace {
 
-std::string text_of(double x) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.17g", x);
-  return text;
-}
-
 void validate_finite(const Vec3& x, const std::string& what) {
   const double coordinates[3] = {x.x, x.y, x.z};
   for (std::size_t axis = 0; axis < 3; ++axis) {
     if (std::isfinite(coordinates[axis])) continue;
-    throw InvalidQuery(what + " has " + "xyz"[axis] + " = " + text_of(coordinates[axis]) +
+    throw InvalidQuery(what + " has " + "xyz"[axis] + " = " + numbers::decimal_text(coordinates[axis]) +
                        "; coordinates must be finite");
   }
 }
@@ -30,7 +24,8 @@ void validate_orientation(const std::array<double, 4>& q, const std::string& wha
   bool zero = true;
   for (std::size_t i = 0; i < 4; ++i) {
     if (!std::isfinite(q[i])) {
-      throw InvalidQuery(what + " has " + "wxyz"[i] + " = " + text_of(q[i]) + "; its components must be finite");
+      throw InvalidQuery(what + " has " + "wxyz"[i] + " = " + numbers::decimal_text(q[i]) +
+                         "; its components must be finite");
     }
     zero = zero && q[i] == 0;
   }
@@ -45,9 +40,9 @@ void validate(const RigidMotion& motion, std::size_t index) {
   validate_finite(motion.p1, name + ": the position p1");
   const auto time = numbers::zero_between(motion.q0, motion.q1);
   if (!time) return;
-  throw InvalidQuery(
-      name + ": q1 is q0 times a negative number, so that (1 - t) q0 + t q1 is zero near t = " + text_of(*time) +
-      "; change the sign of all components of q1: the orientation at t = 1 stays the same");
+  throw InvalidQuery(name + ": q1 is q0 times a negative number, so that (1 - t) q0 + t q1 is zero near t = " +
+                     numbers::decimal_text(*time) +
+                     "; change the sign of all components of q1: the orientation at t = 1 stays the same");
 }
 
 void validate(const CurvedCorner& corner, const std::string& name) {
