@@ -4,6 +4,8 @@
 
 #include <array>
 #include <cstdint>
+#include <iosfwd>
+#include <string>
 
 #include <touchstone/names.hpp>
 
@@ -136,6 +138,16 @@ struct Answer {
   /// An answer without contact.
   Answer() noexcept;
 };
+
+/// For a person: "contact at t in [0.33333333333333331, 0.33333333333333337], crossing, a against b", "no contact". A
+/// time is the shortest decimal that reads back as the same double.
+std::string to_string(const Answer& answer);
+
+/// Writes the text of to_string.
+template <class Traits>
+std::basic_ostream<char, Traits>& operator<<(std::basic_ostream<char, Traits>& out, const Answer& answer) {
+  return out << to_string(answer);
+}
 
 }  // namespace TOUCHSTONE_ABI
 }  // namespace touchstone

@@ -202,6 +202,63 @@ std::vector<std::array<MeshIndex, N>> to_elements(const Eigen::DenseBase<Derived
   return elements;
 }
 
+/// What a mesh of matrices is made of: to it separations and rules can be added.
+/// @param vertices  one vertex a row, N x 3, or N x 2 for a mesh in the plane: their number and dimension alone count
+/// @param elements  a face (three columns) or an edge (two columns) a row, as indices of vertices; without rows it may
+///                  have any number of columns
+/// @param edges     further edges, a row each; those of the faces need not be given
+/// @throws InvalidQuery  for vertices that have neither two nor three coordinates
+/// @throws InvalidMesh  as to_elements
+template <typename Vertices, typename Elements, typename Edges = Eigen::Matrix<int, 0, 2>>
+MeshElements mesh_elements(const Eigen::DenseBase<Vertices>& vertices, const Eigen::DenseBase<Elements>& elements,
+                           const Eigen::DenseBase<Edges>& edges = Edges()) {
+  if (vertices.cols() != 2 && vertices.cols() != 3) {
+    throw InvalidQuery("the vertices are " + std::to_string(vertices.rows()) + " x " + std::to_string(vertices.cols()) +
+                       ", not rows of two or three coordinates");
+  }
+  MeshElements made;
+  made.vertex_count = static_cast<std::size_t>(vertices.rows());
+  made.dimension = static_cast<int>(vertices.cols());
+  if (elements.rows() > 0 && elements.cols() == 2) made.edges = to_elements<2>(elements);
+  if (elements.rows() > 0 && elements.cols() != 2) made.faces = to_elements<3>(elements);
+  if (edges.rows() == 0) return made;
+  const auto more = to_elements<2>(edges);
+  made.edges.insert(made.edges.end(), more.begin(), more.end());
+  return made;
+}
+
+/// The mesh of matrices, as libigl and others name them: V, F, and E for further edges.
+/// @param vertices, elements, edges  as for mesh_elements
+/// @throws InvalidQuery, InvalidMesh  as mesh_elements and Mesh
+template <typename Vertices, typename Elements, typename Edges = Eigen::Matrix<int, 0, 2>>
+Mesh make_mesh(const Eigen::DenseBase<Vertices>& vertices, const Eigen::DenseBase<Elements>& elements,
+               const Eigen::DenseBase<Edges>& edges = Edges()) {
+  return Mesh(mesh_elements(vertices, elements, edges));
+}
+
+/// The functions of mesh.hpp for matrices or expressions of doubles or floats, one vertex a row. An expression is
+/// evaluated once, in the caller's floating-point environment. They throw what those functions and to_positions do.
+template <typename X0, typename X1>
+FirstContact first_contact(const Mesh& mesh, const Eigen::DenseBase<X0>& x0, const Eigen::DenseBase<X1>& x1,
+                           const FirstContactOptions& options = {}) {
+  const auto &start = detail::eigen_values(x0), &end = detail::eigen_values(x1);
+  return first_contact(mesh, to_positions(start), to_positions(end), options);
+}
+/// As above. to_matrix makes a matrix of the positions.
+template <typename X0, typename X1>
+FreeStep free_step(const Mesh& mesh, const Eigen::DenseBase<X0>& x0, const Eigen::DenseBase<X1>& x1,
+                   const FreeStepOptions& options = {}) {
+  const auto &start = detail::eigen_values(x0), &end = detail::eigen_values(x1);
+  return free_step(mesh, to_positions(start), to_positions(end), options);
+}
+/// As above.
+template <typename X>
+std::vector<Intersection> intersections(const Mesh& mesh, const Eigen::DenseBase<X>& x,
+                                        const MeshOptions& options = {}) {
+  const auto& positions = detail::eigen_values(x);
+  return intersections(mesh, to_positions(positions), options);
+}
+
 /// The positions of a FreeStep as a matrix, one vertex a row.
 /// @param positions  the coordinates of the vertices
 /// @param dimension  2 or 3, that of the mesh

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <cstring>
 #include <limits>
+#include <sstream>
 #include <vector>
 
 #include <touchstone/eigen.hpp>
@@ -172,4 +173,57 @@ TEST_CASE("positions and elements of a mesh are those of matrices, in either sto
   CHECK(step.first_contact.toi == 0.5);
   CHECK(touchstone::to_matrix(step.positions)(3, 2) > 0);
   CHECK(touchstone::to_matrix(step.positions).topRows(3) == start.topRows(3));
+}
+
+TEST_CASE("meshes of matrices are asked without any view of the caller's own") {
+  Eigen::Matrix<float, Eigen::Dynamic, 3, Eigen::RowMajor> floats(5, 3);
+  floats << 0, 0, 0, 1, 0, 0, 0, 1, 0, 0.25, 0.25, 1, 2, 2, 2;
+  const MatrixXd vertices = floats.cast<double>();
+  const Eigen::Matrix<std::uint32_t, 1, 3> faces(0, 1, 2);
+  const Eigen::Matrix<std::int64_t, 1, 2> edges(3, 4);
+  const touchstone::Mesh mesh = touchstone::make_mesh(vertices, faces, edges);
+  CHECK(mesh.faces().size() == 1);
+  CHECK(mesh.edges().front() == std::array<touchstone::MeshIndex, 2>{3, 4});
+  CHECK(mesh.points().empty());
+  CHECK(touchstone::make_mesh(floats, faces).points().size() == 2);
+  CHECK(touchstone::make_mesh(vertices, edges).edges().size() == 1);
+  CHECK(touchstone::make_mesh(vertices, MatrixXd(0, 3).cast<int>()).points().size() == 5);
+  const touchstone::Mesh flat = touchstone::make_mesh(vertices.leftCols(2), edges);
+  CHECK(flat.dimension() == 2);
+  CHECK_THROWS_AS(touchstone::make_mesh(vertices.leftCols(1), edges), touchstone::InvalidQuery);
+  CHECK_THROWS_AS(touchstone::make_mesh(vertices, Eigen::MatrixXi(1, 4)), touchstone::InvalidMesh);
+
+  MatrixXd way = MatrixXd::Zero(5, 3);
+  way(3, 2) = -2;
+  const auto first = touchstone::first_contact(mesh, vertices, vertices + way);
+  CHECK(first.toi == 0.5);
+  CHECK(touchstone::first_contact(mesh, floats, vertices + 0.25 * way).free());
+  const auto step = touchstone::free_step(mesh, vertices, vertices + way, {});
+  CHECK(step.first_contact.toi == 0.5);
+  CHECK(touchstone::intersections(mesh, touchstone::to_matrix(step.positions)).empty());
+  way(3, 2) = -1;
+  CHECK(touchstone::intersections(touchstone::make_mesh(vertices, faces), vertices + way).size() == 1);
+  way(3, 2) = -2;
+  touchstone::MeshElements elements = touchstone::mesh_elements(vertices, faces, edges);
+  elements.separation.distance = 0.5;
+  CHECK(touchstone::first_contact(touchstone::Mesh(elements), vertices, vertices + way).toi == 0.25);
+}
+
+TEST_CASE("an answer is written for a person") {
+  const auto written = [](const touchstone::Answer& answer) {
+    std::ostringstream out;
+    out << answer;
+    CHECK(out.str() == to_string(answer));
+    return out.str();
+  };
+  const touchstone::VertexFace query = {{Vec3{0.25, 0.25, 1}, {0, 0, 0}, {1, 0, 0}, {0, 1, 0}},
+                                        {Vec3{0.25, 0.25, -2}, {0, 0, 0}, {1, 0, 0}, {0, 1, 0}}};
+  CHECK(written(touchstone::solve(query, 0.25)) == "no contact");
+  CHECK(written(touchstone::solve(query)) ==
+        "contact at t in [0.3333333333333333, 0.33333333333333337], crossing, v against f");
+  touchstone::SolveOptions options;
+  options.wanted = touchstone::Wanted::contact;
+  CHECK(written(touchstone::solve(query, options)) == "contact");
+  touchstone::PointPoint points = {{Vec3{0, 0, 0}, {1, 0, 0}}, {Vec3{0, 0, 0}, {-1, 0, 0}}};
+  CHECK(written(touchstone::solve(points)) == "contact at t = 0.5, isolated, p against q");
 }

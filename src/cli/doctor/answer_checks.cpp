@@ -38,12 +38,6 @@ bool same_bits(const Answer& a, const Answer& b) {
          (!a.contact || (a.weights_a == b.weights_a && a.weights_b == b.weights_b));
 }
 
-std::string text_of(const Answer& answer) {
-  return answer.contact
-             ? fmt::format("contact in [{:a}, {:a}], {}", answer.toi, answer.toi_upper, contact_for_person(answer))
-             : "no contact";
-}
-
 /// A query whose first time is known by hand.
 struct Known {
   const char* about;
@@ -121,7 +115,7 @@ std::string fault_of_known_answers(const QuerySolver& solver) {
       for (const bool flush : kFlushes) {
         const Answer answer = answer_under(solver, known.query, rounding, flush);
         if (answer.contact && answer.toi == known.toi && answer.toi_upper == known.toi_upper) continue;
-        return fmt::format("the first time is {}, and the answer was: {}", known.about, text_of(answer));
+        return fmt::format("the first time is {}, and the answer was: {}", known.about, to_string(answer));
       }
     }
   }
@@ -149,7 +143,7 @@ std::string fault_of_vectors(const BatchSolver& solver, std::string& widths) {
       for (std::size_t q = 0; q < queries.size(); ++q) {
         if (same_bits(answers[q], truth[q])) continue;
         return fmt::format("{} bits: query {} of {} gave {}, and by itself {}", name, q, name_of(kind),
-                           text_of(answers[q]), text_of(truth[q]));
+                           to_string(answers[q]), to_string(truth[q]));
       }
     }
   }
@@ -168,7 +162,7 @@ std::string fault_of_bundled(const QuerySolver& solver, std::size_t& count) {
     const Answer exact = solve(*query, {.method = Method::exact});
     if (answer.contact == record.truth && same_answer(answer, exact)) return;
     fault = fmt::format("{}, query {}: the answer was {}; by exact arithmetic {}", inputs[input].name, record.number,
-                        text_of(answer), text_of(exact));
+                        to_string(answer), to_string(exact));
   });
   return fault;
 }
