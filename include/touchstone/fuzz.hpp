@@ -66,6 +66,20 @@ struct FuzzOptions {
   /// The same as a fraction of the step, in [0, 1].
   std::optional<double> early_fraction;
 
+  /// The greatest distance of a claimed time after the exact one that is no failure, as a number of doubles: from the
+  /// largest double <= the exact time on. Without this and late_fraction there is none.
+  std::optional<std::uint64_t> late_ulps;
+
+  /// The same as a fraction of the step, in [0, 1].
+  std::optional<double> late_fraction;
+
+  /// A contact that does not exist is no failure where the elements come within this part of the query's greatest
+  /// coordinate of being in contact, in [0, 1].
+  double near = 0;
+
+  /// The failures to look for; empty for all.
+  std::vector<FuzzFailure> failures;
+
   /// The greatest number of findings to shrink and return; 0 for all.
   std::size_t findings = 32;
 
@@ -97,6 +111,7 @@ std::string to_string(const FuzzFinding& finding);
 struct FuzzReport {
   std::uint64_t queries = 0;          ///< The number of queries that were asked and judged.
   std::uint64_t failures = 0;         ///< The number of queries with a wrong reply.
+  std::uint64_t allowed = 0;          ///< Those with a reply that late_ulps and the options after it alone let pass.
   std::size_t kinds_of_failure = 0;   ///< The number of findings, including those beyond FuzzOptions::findings.
   std::vector<FuzzFinding> findings;  ///< The findings, at most FuzzOptions::findings of them.
   bool stopped = false;               ///< Whether FuzzOptions::stop ended the call.

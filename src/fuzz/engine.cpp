@@ -114,6 +114,7 @@ SearchOutcome run(const SolverFactory& make_solver, const Settings& settings, co
   const Progress found = progress_of(state);
   outcome.queries = found.queries;
   outcome.seconds = found.seconds;
+  outcome.allowed = state.allowed;
   outcome.given = given.selected;
   outcome.given_asked = state.given_asked;
   outcome.given_not_taken = given.not_taken;

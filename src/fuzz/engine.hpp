@@ -39,6 +39,7 @@ struct SearchOutcome {
   std::uint64_t given = 0;            ///< given queries of a wanted kind
   std::uint64_t given_asked = 0;      ///< those of them that were asked before the search ended
   std::uint64_t given_not_taken = 0;  ///< those of them whose kind the solver does not support
+  std::uint64_t allowed = 0;          ///< replies that are no failures by Allowance::late, near or classes alone
   FailureTable table;
   std::vector<Finding> findings;
   std::size_t kinds_of_failure = 0;  ///< number of findings, those beyond `most_findings` included

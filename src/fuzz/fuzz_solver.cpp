@@ -27,14 +27,24 @@ families::Family family_of(const std::string& name) {
   throw InvalidQuery("there is no family of queries called \"" + name + "\"; touchstone fuzz --help lists them");
 }
 
+void check_fraction(const char* name, const std::optional<double>& value) {
+  if (!value || (*value >= 0 && *value <= 1)) return;
+  throw InvalidQuery(std::string(name) + " is " + fuzz::decimal_text(*value) + "; it must be in [0, 1]");
+}
+
 fuzz::Settings settings_of(const FuzzOptions& options) {
   if (options.cases == 0) throw InvalidQuery("cases is 0; at least one query must be asked");
   if (options.threads < 1 || options.threads > kMostThreads) {
     throw InvalidQuery("threads is " + std::to_string(options.threads) + "; it must be in [1, " +
                        std::to_string(kMostThreads) + "]");
   }
-  if (options.early_fraction && !(*options.early_fraction >= 0 && *options.early_fraction <= 1)) {
-    throw InvalidQuery("early_fraction is " + fuzz::decimal_text(*options.early_fraction) + "; it must be in [0, 1]");
+  check_fraction("early_fraction", options.early_fraction);
+  check_fraction("late_fraction", options.late_fraction);
+  check_fraction("near", options.near);
+  for (const FuzzFailure failure : options.failures) {
+    if (failure <= fuzz::kEveryFailure.back()) continue;
+    throw InvalidQuery("one of the failures is " + std::to_string(static_cast<int>(failure)) +
+                       "; it must be one of 0 to " + std::to_string(fuzz::kFailureClasses - 1));
   }
   if (options.climb > fuzz::kMostClimbSteps) {
     throw InvalidQuery("climb is " + std::to_string(options.climb) + "; it must be at most " +
@@ -57,7 +67,12 @@ fuzz::Settings settings_of(const FuzzOptions& options) {
   settings.cases = options.cases;
   settings.climb = options.climb;
   settings.threads = options.threads;
-  settings.early = {options.early_ulps, options.early_fraction};
+  settings.allowance.early = {options.early_ulps, options.early_fraction};
+  if (options.late_ulps || options.late_fraction) {
+    settings.allowance.late = certify::TimeLimit{options.late_ulps, options.late_fraction};
+  }
+  settings.allowance.near = options.near;
+  settings.allowance.classes = options.failures;
   settings.most_findings = options.findings;
   return settings;
 }
@@ -115,6 +130,7 @@ FuzzReport fuzz_solver(const std::function<Claim(const Query&)>& solver, const F
   FuzzReport report;
   report.queries = outcome.queries;
   report.failures = outcome.table.total().failed();
+  report.allowed = outcome.allowed;
   report.kinds_of_failure = outcome.kinds_of_failure;
   report.stopped = outcome.stopped;
   for (fuzz::Finding& finding : outcome.findings) report.findings.push_back(public_finding(std::move(finding)));

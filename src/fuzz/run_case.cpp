@@ -19,7 +19,7 @@ std::optional<Finding> run_case(SolverUnderTest& solver, const CaseName& name, c
   const Asked asked = asked_in_case(name, case_source(settings));
   check_sort(solver, is_curved(asked.query));
   const Answer truth = judged.truth(asked);
-  const auto [reply, failure] = judged.ask(asked, truth);
+  const auto [reply, failure, allowed] = judged.ask(asked, truth);
   if (!failure) return std::nullopt;
   Findings findings;
   findings.add(*failure, name, asked, reply, truth);
@@ -42,7 +42,7 @@ void shrink_example(Finding& finding, const JudgedSolver& judged, const ShrinkLi
         truth.feature_b != finding.degeneracy.feature_b || degeneracy_of(query, truth) != finding.degeneracy) {
       return false;
     }
-    auto [reply, failure] = judged.ask(asked, truth);
+    auto [reply, failure, allowed] = judged.ask(asked, truth);
     if (!failure || failure->failure != finding.failure) return false;
     best = {finding.example.name, query, best.separation, t_max,
             std::move(reply),     truth, failure->detail, difficulty(query)};

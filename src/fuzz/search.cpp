@@ -61,9 +61,10 @@ void Searcher::start_from(CaseName name, const JudgedSolver& solver) {
 
 void Searcher::ask(const CaseName& name, const Asked& asked, const JudgedSolver& solver) {
   const Answer truth = solver.truth(asked);
-  const auto [reply, failure] = solver.ask(asked, truth);
+  const auto [reply, failure, allowed] = solver.ask(asked, truth);
   state_.queries.fetch_add(1, std::memory_order_relaxed);
   table.add_case(name);
+  if (allowed) state_.allowed.fetch_add(1, std::memory_order_relaxed);
   if (!failure) return;
   state_.failures[FailureTable::index(failure->failure)].fetch_add(1, std::memory_order_relaxed);
   table.add_failure(name, failure->failure);

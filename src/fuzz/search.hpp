@@ -25,6 +25,7 @@ struct SearchState {
   std::atomic<std::uint64_t> next = 0;  ///< the next piece of the plan, or the next given query
   std::atomic<std::uint64_t> queries = 0;
   std::atomic<std::uint64_t> given_asked = 0;
+  std::atomic<std::uint64_t> allowed = 0;  ///< replies that are no failures by Allowance alone
   std::array<std::atomic<std::uint64_t>, kFailureClasses> failures{};
 
   /// Starts the clock, once. A solver's program may take as long to start as there is for the search, so that time

@@ -29,7 +29,7 @@ struct Settings {
   Separation separation = {};          ///< what every query asks about; the solvers must have been made for the same
   bool own_separations = false;        ///< each query has a distance of its own instead; only the metric is for all
   Method judge = Method::exact;
-  EarlyLimit early;
+  Allowance allowance;
   std::size_t most_findings = 0;         ///< 0: all
   std::uint64_t shrink_tries = 20'000;   ///< for each finding; 0: examples stay as they were found
   std::optional<double> shrink_seconds;  ///< for all findings together; nothing: no limit

@@ -114,6 +114,8 @@ TEST_CASE("the report lists every refuted claim with its exact answer and corner
   }
   CHECK(natures == judged);
   CHECK(report["early"] == json{{"claims", 0}});
+  CHECK(report["late"] == json{{"claims", 0}});
+  CHECK_FALSE(report.contains("not_counted"));
   REQUIRE(report["files"].size() == 2);
   CHECK(report["files"][0] ==
         json{{"file", good},
@@ -156,6 +158,43 @@ TEST_CASE("the report of claims that are early is exact") {
       "time": {"least": "0x1p-52", "most": "0x1p-52", "median": {"from": "0x1p-52", "below": "0x1p-51"},
                "histogram": [{"from": "0x1p-52", "below": "0x1p-51", "claims": 1}]}})");
   CHECK(report["early"] == early);
+}
+
+TEST_CASE("claims that are late within a limit, or wrong in other ways, are counted apart") {
+  const TemporaryFolder folder;
+  const std::string file = folder.write("point-point/a.csv", two_point_queries());
+  // The first query has a contact at 1/3, the second one none.
+  const std::string claims = folder.write("c.csv", "query,contact,toi\n0,1,0x1.5555555555557p-2\n1,1,0.5\n");
+  const auto certify = [&](std::vector<std::string> arguments) {
+    arguments.insert(arguments.begin(), {"certify", "--claims", claims});
+    arguments.push_back(file);
+    return run_program(arguments);
+  };
+  const Run plain = certify({"--histogram"});
+  CHECK(plain.status == 1);
+  CHECK(plain.out.starts_with("2 of 2 claims refuted (claims of "));
+  CHECK(occurrences(plain.out, "2 to 2 doubles after the exact time") == 1);
+  CHECK(occurrences(plain.out, "how late, in doubles\n    from 1 ") == 1);
+  CHECK(occurrences(plain.out, "how early") == 0);
+  CHECK(certify({"--late", "1ulps"}).out.starts_with("2 of 2 claims refuted (claims of "));
+  const Run late = certify({"--late", "2ulps", "--report", folder.path("r.json")});
+  CHECK(late.status == 1);
+  CHECK(late.out.starts_with("1 of 2 claims refuted, and 1 late by at most 2ulps (claims of "));
+  const json report = json::parse(folder.read("r.json"));
+  CHECK(report["claims"]["late"] == 1);
+  CHECK(report["late"]["ulps"]["most"] == 2);
+  CHECK(report["not_counted"] == json{{"late", {{"claims", 1}, {"ulps", 2}}}});
+  CHECK(report["refuted"].size() == 1);
+  CHECK(report["refuted"][0]["verdict"] == "phantom");
+  const Run missed = certify({"--class", "missed,late", "--late", "1e-9", "--report", folder.path("r.json")});
+  CHECK(missed.status == 0);
+  CHECK(
+      missed.out.starts_with("0 of 2 claims refuted, and 1 late by at most 1e-09, and 1 wrong in other ways than "
+                             "missed, late (claims of "));
+  CHECK(json::parse(folder.read("r.json"))["not_counted"]["other_classes"] ==
+        json{{"claims", 1}, {"than", {"missed", "late"}}});
+  CHECK(occurrences(certify({"--class", "holds"}).err, "--class: holds not in {missed,phantom,late}") == 1);
+  CHECK(occurrences(certify({"--late", "2 ulps"}).err, "must be a number of ulps, 16ulps") == 1);
 }
 
 TEST_CASE("the report is the same for any number of threads and any chunk size") {

@@ -94,7 +94,7 @@ TEST_CASE("a planted bug of every class is found, counted and kept through shrin
                                    Planted{FailureClass::malformed, babble}, Planted{FailureClass::hang, hang});
   CAPTURE(name_of(planted.failure));
   fuzz::Settings settings = lattice_settings();
-  settings.early.fraction = 0.01;
+  settings.allowance.early.fraction = 0.01;
   const fuzz::SearchOutcome outcome = fuzz::run(toy(planted.spoil), settings);
   CHECK(outcome.queries == 8000);
   CHECK(failures(outcome, planted.failure) > 100);
@@ -108,7 +108,7 @@ TEST_CASE("a planted bug of every class is found, counted and kept through shrin
     CHECK(kinds.insert(finding.degeneracy).second);
     const auto& query = std::get<Query>(finding.example.query);
     const Answer truth = solve(query, {.method = Method::exact});
-    const auto failure = fuzz::failure_of(query, solver->ask(query), truth, settings.early);
+    const auto failure = fuzz::failure_of(query, solver->ask(query), truth, settings.allowance.early);
     REQUIRE(failure.has_value());
     CHECK(failure->failure == planted.failure);
     CHECK(failure->failure == finding.failure);

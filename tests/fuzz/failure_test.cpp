@@ -29,7 +29,7 @@ Reply says(bool contact, std::optional<double> toi = std::nullopt) {
   return reply;
 }
 
-std::string class_of(const Reply& reply, const Answer& truth, const fuzz::EarlyLimit& early = {}) {
+std::string class_of(const Reply& reply, const Answer& truth, const certify::TimeLimit& early = {}) {
   const auto failure = fuzz::failure_of(Query(), reply, truth, early);  // times are doubles: the query says no more
   return failure ? std::string(name_of(failure->failure)) : "right";
 }
@@ -65,7 +65,7 @@ TEST_CASE("every reply has one class") {
 TEST_CASE("how early is too early is the caller's choice, in ulps or as a share") {
   const Answer truth = contact_at(0.5, 0.5);
   const double early = 0.5 - 4 * 0x1p-54;
-  fuzz::EarlyLimit limit;
+  certify::TimeLimit limit;
   limit.ulps = 4;
   CHECK(class_of(says(true, early), truth, limit) == "right");
   CHECK(class_of(says(true, std::nextafter(early, 0.0)), truth, limit) == "early");

@@ -59,6 +59,23 @@ TEST_CASE("queries whose coordinates are no doubles are counted aloud, and nothi
   check_refused(fuzz_from({none}), "the only query is given with coordinates that are no doubles");
 }
 
+TEST_CASE("what does not count is said beside the verdict, and a case's command asks alike") {
+  const auto fuzz = [](std::vector<std::string> arguments) {
+    arguments.insert(arguments.begin(), {"fuzz", "--solver", "newton", "--cases", "3000"});
+    return run_program(arguments);
+  };
+  const Run none = fuzz({"--class", "hang,crash"});
+  CHECK(none.status == 0);
+  CHECK(occurrences(none.out, "\nnothing found; ") == 1);
+  CHECK(occurrences(none.out, " wrong answers did not count: of other classes than hang, crash\n") == 1);
+  const Run some = fuzz({"--late", "16ulps", "--near", "1e-3", "--class", "late", "--findings", "1"});
+  CHECK(some.status == 1);
+  CHECK(occurrences(some.out,
+                    " did not count: late by at most 16ulps, or phantom within 0.001 of the greatest coordinate, "
+                    "or of other classes than late\n") == 1);
+  CHECK(occurrences(some.out, "touchstone fuzz --solver newton --late 16ulps --near 0.001 --case ") == 1);
+}
+
 TEST_CASE("given queries that were not asked are told, and --cases counts those that were") {
   const TemporaryFolder folder;
   const SampleFile edges = sample_file(Kind::edge_edge, 1, 1), faces = sample_file(Kind::vertex_face, 2, 1);

@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: MIT
 #include <touchstone/fuzz.hpp>
 
+#include <algorithm>
 #include <cfenv>
+#include <cmath>
 #include <limits>
 #include <stdexcept>
 
@@ -72,6 +74,51 @@ TEST_CASE("a callable's findings are complete, and the same on any number of thr
   }
   options.threads = 3;
   CHECK(text_of(fuzz_solver(late_on_faces, options)) == text_of(report));
+}
+
+TEST_CASE("a callable's tolerance is allowed, counted, and nothing beyond it") {
+  // Late by three doubles, wherever there is room for them.
+  const auto late = [](const Query& query) {
+    Claim claim = right(query);
+    for (int i = 0; claim.contact && i < 3; ++i) claim.toi = std::nextafter(*claim.toi, 2.0);
+    return claim;
+  };
+  FuzzOptions options = quick();
+  const FuzzReport all = fuzz_solver(late, options);
+  CHECK(all.failures > 500);
+  CHECK(all.allowed == 0);
+  options.late_ulps = 3;
+  CHECK(fuzz_solver(late, options).failures == 0);
+  CHECK(fuzz_solver(late, options).allowed == all.failures);
+  options.late_ulps = 2;
+  CHECK(fuzz_solver(late, options).failures == all.failures);
+  options.late_ulps.reset();
+  options.late_fraction = 0x1p-50;
+  CHECK(fuzz_solver(late, options).failures == 0);
+  options = quick();
+  options.failures = {FuzzFailure::missed, FuzzFailure::phantom};
+  CHECK(fuzz_solver(late, options).failures == 0);
+  CHECK(fuzz_solver(late, options).allowed == all.failures);
+
+  // A contact within a thousandth of the greatest coordinate, in the largest-axis metric.
+  const auto wide = [](const Query& query) {
+    double greatest = 0;
+    for (const auto* const corners : {&query.start, &query.end}) {
+      for (const Vec3& x : *corners) greatest = std::max({greatest, std::fabs(x.x), std::fabs(x.y), std::fabs(x.z)});
+    }
+    Claim claim = right(query);
+    claim.contact = claim.contact || solve(query, {.separation = {greatest / 1000, Metric::max}}).contact;
+    if (!right(query).contact) claim.toi.reset();
+    return claim;
+  };
+  options = quick();
+  const FuzzReport phantoms = fuzz_solver(wide, options);
+  CHECK(phantoms.failures > 50);
+  options.near = 0.002;
+  CHECK(fuzz_solver(wide, options).failures == 0);
+  CHECK(fuzz_solver(wide, options).allowed == phantoms.failures);
+  options.near = 1e-9;
+  CHECK(fuzz_solver(wide, options).failures > 10);
 }
 
 TEST_CASE("what a callable throws is a crash that keeps its message") {

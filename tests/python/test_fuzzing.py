@@ -53,10 +53,10 @@ def test_findings_are_shrunk_and_true():
     (lambda truth: (truth.contact, np.float64(truth.toi)), None),
     (lambda truth: (truth.contact, math.nan), "nan"),
     (lambda truth: not truth.contact, "phantom"),
-    (lambda truth: "yes", "crash"),
-    (lambda truth: (1, 0.5), "crash"),
-    (lambda truth: np.array([truth.contact]), "crash"),
-    (lambda truth: 1 // 0, "crash"),
+    (lambda truth: truth.contact and "yes", "crash"),
+    (lambda truth: truth.contact and (1, 0.5), "crash"),
+    (lambda truth: truth.contact and np.array([True]), "crash"),
+    (lambda truth: truth.contact and 1 // 0, "crash"),
 ])
 def test_replies(reply, failure):
     report = ts.fuzz(lambda *query: reply(ts.solve(*query)), 200, kinds=["point-point", "edge-edge"])
@@ -66,11 +66,45 @@ def test_replies(reply, failure):
         assert report.findings[0].detail
 
 
+def test_a_tolerance_is_allowed_and_counted():
+    def late(*query):
+        answer = ts.solve(*query)
+        return (answer.contact, np.nextafter(answer.toi_upper, 2)) if answer.contact else False
+
+    assert ts.fuzz(late, 500).failures > 50
+    report = ts.fuzz(late, 500, late_ulps=2)
+    assert report.failures == 0 and report.allowed > 50
+    assert ts.fuzz(late, 500, late_fraction=1e-9, failures=["missed"]).failures == 0
+
+    def wide(kind, start, end):
+        close = ts.distance(kind, start, end, 1).value <= 1e-3 * max(abs(start).max(), abs(end).max())
+        return close or ts.solve(kind, start, end).contact
+
+    assert ts.fuzz(wide, 500, kinds=["point-point"]).failures > 0
+    assert ts.fuzz(wide, 500, kinds=["point-point"], near=0.002).failures == 0
+
+
+def test_a_function_that_cannot_be_meant_so_raises():
+    calls = []
+    with pytest.raises(TypeError, match="positional argument"):
+        ts.fuzz(lambda start, end: False)
+
+    def broken(kind, start, end):
+        calls.append(kind)
+        raise LookupError("no table")
+
+    with pytest.raises(LookupError, match="no table"):
+        ts.fuzz(broken, 100_000)
+    assert len(calls) == 20
+
+
 def test_what_is_raised_is_told():
     def broken(kind, start, end):
-        raise LookupError("the <b>seventh</b> table is missing")
+        if kind == "point-point":
+            raise LookupError("the <b>seventh</b> table is missing")
+        return exact(kind, start, end)
 
-    found = ts.fuzz(broken, 100).findings[0]
+    found = ts.fuzz(broken, 200).findings[0]
     assert found.failure == "crash" and "LookupError" in found.detail and "seventh" in found.detail
     assert "&lt;b&gt;" in found._repr_html_() and "<b>" not in found._repr_html_()
 
@@ -87,7 +121,9 @@ def test_a_separation_is_what_the_solver_was_asked():
     ({"seed": 2**64}, ValueError, "seed"), ({"kinds": ["edge"]}, ValueError, "kind is 'edge'"),
     ({"families": ["none-such"]}, ValueError, "none-such"), ({"families": [3]}, TypeError, "families has"),
     ({"kinds": []}, ValueError, "kinds is empty"), ({"separation": -1}, ValueError, "separation"),
-    ({"early_fraction": 2}, ValueError, "early_fraction"), ({"climb": 2**63}, ValueError, "climb"),
+    ({"early_fraction": 2}, ValueError, "early_fraction"), ({"near": -1}, ValueError, "near is -1"),
+    ({"failures": ["slow"]}, ValueError, "it must be of crash, hang"), ({"late_ulps": -1}, ValueError, "late_ulps"),
+    ({"climb": 2**63}, ValueError, "climb"),
 ])
 def test_options_without_meaning(arguments, error, words):
     with pytest.raises(error, match=words):

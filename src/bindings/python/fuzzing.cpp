@@ -72,20 +72,34 @@ class AskedFunction {
   AskedFunction(const py::object& solver, std::atomic<bool>& stop) : solver_(solver), stop_(stop) {}
 
   /// What the function throws becomes an exception that holds nothing of Python. Of a finding it is the text. What is
-  /// no `Exception`, such as KeyboardInterrupt, ends the run.
+  /// no `Exception`, such as KeyboardInterrupt, ends the run, and so does one that all of the first calls end with.
   Claim operator()(const Query& query) {
     if (ending_) throw std::runtime_error("the run has ended");
     const py::gil_scoped_acquire locked;
     try {
-      return claim_of(solver_(std::string(name_of(query.kind)), corners_array(query.kind, query.start),
-                              corners_array(query.kind, query.end)));
+      const Claim claim = claim_of(solver_(std::string(name_of(query.kind)), corners_array(query.kind, query.start),
+                                           corners_array(query.kind, query.end)));
+      answered_ = true;
+      return claim;
     } catch (py::error_already_set& error) {
-      if (!error.matches(PyExc_Exception)) {
+      if (!error.matches(PyExc_Exception) || fails_from_the_start(error.what())) {
         ending_ = std::current_exception();
         stop_ = true;
       }
       throw std::runtime_error(error.what());
     }
+  }
+
+  /// Whether there was no answer yet, and as many calls failed with one text that the function cannot be meant so: one
+  /// with other arguments, say.
+  bool fails_from_the_start(const std::string& text) {
+    constexpr int kAlike = 20;
+    if (answered_ || (failures_ > 0 && text != first_text_)) {
+      answered_ = true;
+      return false;
+    }
+    first_text_ = text;
+    return ++failures_ == kAlike;
   }
 
   /// Throws what ended the run, if something did.
@@ -97,6 +111,9 @@ class AskedFunction {
   const py::object& solver_;
   std::atomic<bool>& stop_;
   std::exception_ptr ending_;
+  bool answered_ = false;  ///< or failed in several ways
+  int failures_ = 0;
+  std::string first_text_;
 };
 
 template <class Number>
@@ -106,7 +123,8 @@ std::optional<Number> number_or_none(py::handle value) {
 
 FuzzReport fuzz(const py::object& solver, py::handle kinds, py::handle families, py::handle cases, py::handle seed,
                 py::handle climb, py::handle distance, py::handle metric, py::handle early_ulps,
-                py::handle early_fraction, py::handle findings) {
+                py::handle early_fraction, py::handle late_ulps, py::handle late_fraction, py::handle near,
+                py::handle failures, py::handle findings) {
   if (PyCallable_Check(solver.ptr()) == 0) {
     throw py::type_error(std::string("solver is of type ") + Py_TYPE(solver.ptr())->tp_name +
                          "; it must be a function of (kind, start, end)");
@@ -119,6 +137,20 @@ FuzzReport fuzz(const py::object& solver, py::handle kinds, py::handle families,
   options.separation = separation_of(distance, metric, 0, true).separation;
   options.early_ulps = number_or_none<std::uint64_t>(early_ulps);
   options.early_fraction = number_or_none<double>(early_fraction);
+  options.late_ulps = number_or_none<std::uint64_t>(late_ulps);
+  options.late_fraction = number_or_none<double>(late_fraction);
+  options.near = near.cast<double>();
+  if (!failures.is_none()) {
+    for (const py::handle name : failures) {
+      const auto failure = from_name<FuzzFailure>(name.cast<std::string>());
+      if (!failure) {
+        std::string all;
+        for (const std::string_view one : names_of<FuzzFailure>()) all.append(all.empty() ? "" : ", ").append(one);
+        throw py::value_error("failures has '" + name.cast<std::string>() + "'; it must be of " + all);
+      }
+      options.failures.push_back(*failure);
+    }
+  }
   if (!kinds.is_none()) {
     for (const py::handle kind : kinds) options.kinds.push_back(kind_of(kind));
   }
@@ -179,6 +211,8 @@ void define_fuzzing(py::module_& module) {
   define_class<FuzzReport>(module, "FuzzReport", "What fuzz found.")
       .def_readonly("queries", &FuzzReport::queries, "how many queries were asked and judged")
       .def_readonly("failures", &FuzzReport::failures, "how many replies were wrong")
+      .def_readonly("allowed", &FuzzReport::allowed,
+                    "how many wrong replies late_ulps, late_fraction, near and failures let pass")
       .def_readonly("kinds_of_failure", &FuzzReport::kinds_of_failure, "how many findings there are in all")
       .def_readonly("findings", &FuzzReport::findings, "a list of Finding, worst first")
       .def("__repr__", [](const FuzzReport& report) {

@@ -15,6 +15,7 @@
 #include "cli/certify/claims.hpp"
 #include "cli/certify/json_report.hpp"
 #include "cli/certify/verdict_summary.hpp"
+#include "cli/shared/command_line/judging_options.hpp"
 #include "cli/shared/command_line/turns.hpp"
 #include "cli/shared/inputs.hpp"
 #include "cli/shared/progress/pipeline.hpp"
@@ -59,6 +60,7 @@ struct CertifyItem : QueryItem {
   std::vector<StatedClaim> claims;  ///< of an answers file; fewer than the queries when that ends too soon
   Separation truth_separation;      ///< what the truth column is about
   certify::Tally tally;
+  certify::NotCounted not_counted;
   Questions questions;
   std::vector<certify::RefutedClaim> first_refuted;  ///< at most kShownClaims
   std::string refuted_json;                          ///< all of them, each after a separator; only for a report
@@ -93,6 +95,23 @@ Verdict verdict_on(const Claim& claim, const io::FileQuery& query, const Answer&
   return std::visit([&](const auto& given) { return judge(claim, given, answer, separation); }, query);
 }
 
+/// Whether a wrong claim counts as refuted. If not, it is added to the others.
+bool counts(const CertifyOptions& options, const Claim& claim, const Answer& answer, Verdict verdict,
+            certify::NotCounted& not_counted) {
+  const auto& classes = options.classes;
+  if (!classes.empty() && std::find(classes.begin(), classes.end(), verdict) == classes.end()) {
+    ++not_counted.other;
+    return false;
+  }
+  // A late time as written may round to the answer's toi.
+  if (verdict != Verdict::late || !options.late ||
+      !options.late->allows(answer.toi, std::max(*claim.toi, answer.toi))) {
+    return true;
+  }
+  ++not_counted.late;
+  return false;
+}
+
 std::variant<RationalQuery, CurvedQuery> as_given(const io::QueryRecord& record) {
   if (const auto* const curved = std::get_if<CurvedQuery>(&record.query)) return *curved;
   return io::query_as_given(record);
@@ -117,7 +136,7 @@ void judge_queries(CertifyItem& item, const CertifyOptions& options, const std::
     const Verdict verdict = verdict_on(claim, record.query, answer, separation);
     item.tally.add(claim, answer, verdict);
     if (!options.proofs.empty()) item.proved.add(inputs[item.input], record, answer, separation);
-    if (verdict == Verdict::holds) continue;
+    if (verdict == Verdict::holds || !counts(options, claim, answer, verdict, item.not_counted)) continue;
     certify::RefutedClaim refuted{
         inputs[item.input].name, record.number, record.first_row, record.last_row, claim, verdict, answer,
         as_given(record),        separation};
@@ -164,17 +183,25 @@ std::string what_was_judged(const CertifyOptions& options, const std::string& le
 }
 
 std::string summary(const CertifyOptions& options, const std::string& left_out, const std::vector<Input>& inputs,
-                    const Questions& questions, const certify::Tally& tally,
+                    const Questions& questions, const certify::Tally& tally, const certify::NotCounted& not_counted,
                     const std::vector<certify::RefutedClaim>& first_refuted, double seconds, int threads) {
   const certify::VerdictCounts& verdicts = tally.verdicts;
-  const std::uint64_t refuted = verdicts.refuted();
-  std::string text = refuted == 0
+  const std::uint64_t refuted = verdicts.refuted() - not_counted.claims();
+  std::string text = verdicts.refuted() == 0
                          ? fmt::format("all {} claims hold", grouped(verdicts.claims()))
                          : fmt::format("{} of {} claims refuted", grouped(refuted), grouped(verdicts.claims()));
+  if (not_counted.late > 0) {
+    text += fmt::format(", and {} late by at most {}", grouped(not_counted.late), time_limit_text(*options.late));
+  }
+  if (not_counted.other > 0) {
+    text +=
+        fmt::format(", and {} wrong in other ways than {}", grouped(not_counted.other), names_text(options.classes));
+  }
   text += fmt::format(" ({})\n", what_was_judged(options, left_out, inputs, questions));
   text += verdicts_for_person(verdicts);
   text += counts_for_person({verdicts.claims(), tally.levels, tally.natures});
-  text += early_for_person(tally.early);
+  text += early_for_person(tally.early) + late_for_person(tally.late);
+  if (options.histogram) text += histogram_for_person("early", tally.early) + histogram_for_person("late", tally.late);
   if (!options.proofs.empty()) {
     text += summary_line("proofs", fmt::format("{} in {}", grouped(verdicts.claims()), io::printable(options.proofs)));
   }
@@ -227,6 +254,7 @@ int run_certify(const CertifyOptions& options) {
   if (!options.proofs.empty()) proofs.emplace(options.proofs, inputs);
 
   certify::Tally tally;
+  certify::NotCounted not_counted;
   std::vector<certify::FileTally> files;
   for (const auto& input : inputs) files.push_back({input.name, input.kind, {}});
   std::vector<certify::RefutedClaim> first_refuted;
@@ -247,6 +275,7 @@ int run_certify(const CertifyOptions& options) {
       [&](CertifyItem& item) { judge_queries(item, options, inputs); },
       [&](CertifyItem& item) {
         tally.merge(item.tally);
+        not_counted.merge(item.not_counted);
         questions.merge(item.questions);
         turns.add(item.input, item.longer_turns);
         files[item.input].verdicts.merge(item.tally.verdicts);
@@ -266,18 +295,19 @@ int run_certify(const CertifyOptions& options) {
   const std::string left_out = claims ? claims->left_out() : "";
   if (report) {
     const std::string source = options.claims.empty() ? "truth column" : options.claims;
-    report->finish(
-        report_begin({std::string(name_of(options.method)), source, left_out, questions.only()}, tally, files));
+    report->finish(report_begin({std::string(name_of(options.method)), source, left_out, questions.only(), options.late,
+                                 options.classes, not_counted},
+                                tally, files));
   }
   if (proofs) proofs->finish();
   progress.wipe();
   turns.tell();
   if (options.report != "-" && options.proofs != "-") {
     auto console = io::OutputFile::standard_output();
-    console.write(summary(options, left_out, inputs, questions, tally, first_refuted, seconds, threads));
+    console.write(summary(options, left_out, inputs, questions, tally, not_counted, first_refuted, seconds, threads));
     console.commit();
   }
-  return tally.verdicts.refuted() == 0 ? kAllHold : kRefuted;
+  return tally.verdicts.refuted() == not_counted.claims() ? kAllHold : kRefuted;
 }
 
 void add_certify(CLI::App& program, Command& command) {
@@ -300,6 +330,14 @@ void add_certify(CLI::App& program, Command& command) {
                    "What the columns of the claims are, in order, where they have other names or none: query, contact, "
                    "toi, file, separation, metric, or - for one that is not read")
       ->type_name("NAMES");
+  add_time_limit(*subcommand, "--late",
+                 "The greatest distance of a claimed toi after the exact time that does not count as refuted (default: "
+                 "none)",
+                 [options](const certify::TimeLimit& limit) { options->late = limit; });
+  add_class_option(*subcommand, {"missed", "phantom", "late"},
+                   "Wrong claims of these classes alone count as refuted, such as missed,late (default: all)",
+                   [options](const std::string& name) { options->classes.push_back(*from_name<Verdict>(name)); });
+  subcommand->add_flag("--histogram", options->histogram, "Show how early and how late the claims are");
   subcommand
       ->add_option(
           "--report", options->report,
@@ -322,10 +360,14 @@ void add_certify(CLI::App& program, Command& command) {
       "writes them, and a query file what its truth column is about in a line '# separation 0x1p-3 euclidean' before "
       "its\n"
       "first row. --separation must agree with them. Claims are about touching when nothing says otherwise.\n"
-      "Exit status: 0 all claims hold, 1 some are refuted, 2 bad usage or bad input.\n\n"
+      "Exit status: 0 no claim is refuted (with --late and --class: none that counts), 1 some are, 2 bad usage or bad\n"
+      "input.\n\n"
       "The report is one JSON object: counts of verdicts (claims), of deciding levels (decided_by) and of the "
       "contacts'\n"
-      "natures; how early the claims are that hold and have a toi (early: in ulps and in time, with histograms); the\n"
+      "natures; how early the claims are that hold and have a toi, and how late the late ones (early, late: in ulps "
+      "and "
+      "in\n"
+      "time, with histograms); which wrong claims did not count (not_counted), with --late or --class; the\n"
       "counts of each file (files); and every refuted claim (refuted) with its file, query, rows, verdict, claim, "
       "exact\n"
       "answer and corners as given. Times in it are hexfloats.");

@@ -2,8 +2,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <optional>
 #include <string>
+#include <vector>
 
+#include <touchstone/certify.hpp>
+
+#include "certify/time_errors.hpp"
 #include "cli/shared/command_line/command.hpp"
 #include "cli/shared/command_line/common_options.hpp"
 
@@ -14,6 +19,11 @@ struct CertifyOptions : QueryOptions {
   std::string columns;  ///< of the claims; empty: as their header says
   std::string report;   ///< empty: none
   std::string proofs;   ///< the file for the proofs of the exact answers; empty: none
+
+  // Which wrong claims count as refuted: all but those that are late within the limit, and those of other classes.
+  std::optional<certify::TimeLimit> late;
+  std::vector<Verdict> classes;  ///< empty: all
+  bool histogram = false;        ///< of how early and late the claims are
 };
 
 int run_certify(const CertifyOptions& options);

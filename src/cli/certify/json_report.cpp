@@ -34,8 +34,8 @@ Json json_of(const certify::VerdictCounts& counts) {
 }
 
 template <class Distance>
-Json json_of(Distance least, Distance most, const certify::EarlyBucket<Distance>& median,
-             const std::vector<certify::EarlyBucket<Distance>>& buckets) {
+Json json_of(Distance least, Distance most, const certify::ErrorBucket<Distance>& median,
+             const std::vector<certify::ErrorBucket<Distance>>& buckets) {
   Json json;
   json["least"] = json_of(least);
   json["most"] = json_of(most);
@@ -48,11 +48,11 @@ Json json_of(Distance least, Distance most, const certify::EarlyBucket<Distance>
   return json;
 }
 
-Json json_of(const certify::EarlyTally& early) {
-  Json json = {{"claims", early.claims()}};
-  if (early.claims() == 0) return json;
-  json["ulps"] = json_of(early.least_ulps(), early.most_ulps(), early.median_ulps(), early.ulps());
-  json["time"] = json_of(early.least_time(), early.most_time(), early.median_time(), early.times());
+Json json_of(const certify::TimeErrors& errors) {
+  Json json = {{"claims", errors.claims()}};
+  if (errors.claims() == 0) return json;
+  json["ulps"] = json_of(errors.least_ulps(), errors.most_ulps(), errors.median_ulps(), errors.ulps());
+  json["time"] = json_of(errors.least_time(), errors.most_time(), errors.median_time(), errors.times());
   return json;
 }
 
@@ -165,6 +165,17 @@ std::string report_begin(const ReportHeading& heading, const certify::Tally& tal
   if (!heading.left_out.empty()) json["left_out"] = heading.left_out;
   if (heading.separation) put_separation(json, *heading.separation);
   json["claims"] = json_of(tally.verdicts);
+  if (heading.late) {
+    Json& late = json["not_counted"]["late"];
+    late = {{"claims", heading.not_counted.late}};
+    if (heading.late->ulps) late["ulps"] = *heading.late->ulps;
+    if (heading.late->fraction) late["time"] = json_of(*heading.late->fraction);
+  }
+  if (!heading.classes.empty()) {
+    Json& other = json["not_counted"]["other_classes"];
+    other = {{"claims", heading.not_counted.other}, {"than", Json::array()}};
+    for (const Verdict one : heading.classes) other["than"].push_back(name_of(one));
+  }
   for (const Level level : {Level::filter, Level::bracket, Level::exact, Level::oracle}) {
     json["decided_by"][std::string(name_of(level))] = tally.levels[static_cast<std::size_t>(level)];
   }
@@ -176,6 +187,7 @@ std::string report_begin(const ReportHeading& heading, const certify::Tally& tal
   const bool touching = heading.separation && heading.separation->distance == 0;
   if (!touching) json["natures"]["entering"] = entering;
   json["early"] = json_of(tally.early);
+  json["late"] = json_of(tally.late);
   json["files"] = Json::array();
   for (const auto& file : files) {
     json["files"].push_back({{"file", file.file}, {"kind", name_of(file.kind)}, {"claims", json_of(file.verdicts)}});

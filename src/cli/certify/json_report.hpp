@@ -9,6 +9,10 @@
 //     "separation": "0x1p-3",                  the separation that all claims are about; left out for touching, and
 //     "metric": "euclidean",                   when the claims are about different ones
 //     "claims": {"judged", "holds", "missed", "phantom", "late"},            counts
+//     "not_counted": {                         wrong claims that do not count; only with --late or --class
+//       "late": {"claims", "ulps" or "time"},  those that are late by at most that
+//       "other_classes": {"claims", "than": ["missed"]}
+//     },
 //     "decided_by": {"filter", "bracket", "exact", "oracle"},                counts
 //     "natures": {"none", "crossing", "grazing", "sustained", "isolated"},   counts, of the exact answers; with a
 //                                              separation "entering" too
@@ -19,8 +23,9 @@
 //                "histogram": [{"from", "below", "claims"}]},    "below" is null when there is no greater one
 //       "time": {...}                          the same for their difference, as hexfloats
 //     },
+//     "late": {...},                           the same of the late ones: from the exact answer's toi to the claimed one
 //     "files": [{"file", "kind", "claims": {as above}}],
-//     "refuted": [{                            every claim that does not hold, in input order
+//     "refuted": [{                            every claim that does not hold and counts, in input order
 //       "file", "kind", "query",               its number counted from 0 within the file
 //       "rows": [97, 104],                     first and last line, counted from 1
 //       "verdict": "missed",                   "missed", "phantom" or "late"
@@ -57,6 +62,9 @@ struct ReportHeading {
   std::string claims_from;               ///< "truth column" or the name of a file of claims
   std::string left_out;                  ///< as ClaimStream::left_out
   std::optional<Separation> separation;  ///< nothing: the claims are about different ones
+  std::optional<certify::TimeLimit> late = {};
+  std::vector<Verdict> classes = {};  ///< empty: all
+  certify::NotCounted not_counted = {};
 };
 
 /// One element of "refuted". There may be more of them than fit into memory, so that the caller strings them together:

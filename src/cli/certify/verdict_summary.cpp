@@ -3,6 +3,12 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
 #include "cli/shared/command_line/turns.hpp"
 #include "cli/shared/progress/summary.hpp"
 #include "cli/shared/words.hpp"
@@ -13,7 +19,7 @@ namespace touchstone::cli {
 namespace {
 
 template <class Distance, class ForPerson>
-std::string range(const certify::EarlyBucket<Distance>& bucket, ForPerson for_person) {
+std::string range(const certify::ErrorBucket<Distance>& bucket, ForPerson for_person) {
   if (!bucket.below) return "at least " + for_person(bucket.from);
   return "at least " + for_person(bucket.from) + " and less than " + for_person(*bucket.below);
 }
@@ -32,15 +38,66 @@ std::string verdicts_for_person(const certify::VerdictCounts& verdicts) {
          row(Verdict::late, verdicts.late, "toi after the exact time: stepping there passes through");
 }
 
-std::string early_for_person(const certify::EarlyTally& early) {
-  if (early.claims() == 0) return "";
+namespace {
+
+/// @param what  of the claims; @param side  of the exact time they are on
+std::string errors_for_person(std::string_view heading, std::string_view what, std::string_view side,
+                              const certify::TimeErrors& errors) {
+  if (errors.claims() == 0) return "";
   const auto ulps = [](std::uint64_t number) { return grouped(number); };
   const auto time = [](double value) { return fmt::format("{:.3g}", value); };
-  return summary_line("early", fmt::format("{} with a toi that holds", counted(early.claims(), "claim"))) +
-         summary_line("", fmt::format("{} to {} doubles before the exact time; median {}", grouped(early.least_ulps()),
-                                      grouped(early.most_ulps()), range(early.median_ulps(), ulps))) +
-         summary_line("", fmt::format("{:.3g} to {:.3g} of the step before it; median {}", early.least_time(),
-                                      early.most_time(), range(early.median_time(), time)));
+  return summary_line(heading, fmt::format("{} {}", counted(errors.claims(), "claim"), what)) +
+         summary_line("", fmt::format("{} to {} doubles {} the exact time; median {}", grouped(errors.least_ulps()),
+                                      grouped(errors.most_ulps()), side, range(errors.median_ulps(), ulps))) +
+         summary_line("", fmt::format("{:.3g} to {:.3g} of the step {} it; median {}", errors.least_time(),
+                                      errors.most_time(), side, range(errors.median_time(), time)));
+}
+
+/// A line for zero, and one for each four buckets: from 16^k on, and below 16^(k+1).
+template <class Distance, class ForPerson>
+std::string rows_of(const std::vector<certify::ErrorBucket<Distance>>& buckets, ForPerson for_person) {
+  struct Row {
+    Distance from;
+    std::uint64_t claims;
+  };
+  std::vector<Row> rows;
+  std::uint64_t most = 0;
+  int last = 0;
+  for (const auto& bucket : buckets) {
+    const int exponent = bucket.from == 0 ? std::numeric_limits<int>::min()
+                                          : 4 * static_cast<int>(std::floor(std::ilogb(bucket.from) / 4.0));
+    const auto from = static_cast<Distance>(bucket.from == 0 ? 0 : std::ldexp(1.0, exponent));
+    if (rows.empty() || exponent != last) rows.push_back({from, 0});
+    last = exponent;
+    rows.back().claims += bucket.claims;
+    most = std::max(most, rows.back().claims);
+  }
+  std::string text;
+  for (const Row& row : rows) {
+    constexpr std::uint64_t kWidth = 40;
+    const auto bar = static_cast<std::size_t>((row.claims * kWidth + most - 1) / most);
+    text +=
+        fmt::format("    from {:<22}{:>14}  {}\n", for_person(row.from), grouped(row.claims), std::string(bar, '#'));
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string early_for_person(const certify::TimeErrors& early) {
+  return errors_for_person("early", "with a toi that holds", "before", early);
+}
+
+std::string late_for_person(const certify::TimeErrors& late) {
+  return errors_for_person("late by", "with a toi that is late", "after", late);
+}
+
+std::string histogram_for_person(std::string_view heading, const certify::TimeErrors& errors) {
+  if (errors.claims() == 0) return "";
+  return fmt::format("  how {}, in doubles\n", heading) +
+         rows_of(errors.ulps(), [](std::uint64_t number) { return grouped(number); }) +
+         fmt::format("  how {}, in parts of the step\n", heading) +
+         rows_of(errors.times(), [](double value) { return fmt::format("{:.3g}", value); });
 }
 
 std::string refuted_for_person(const certify::RefutedClaim& refuted, io::Turns turns, io::Decimals decimals) {

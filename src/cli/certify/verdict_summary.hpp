@@ -3,6 +3,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 
 #include "certify/tally.hpp"
 #include "io/queries/curved_rows.hpp"
@@ -12,7 +13,11 @@ namespace touchstone::cli {
 
 // Blocks of whole lines:
 std::string verdicts_for_person(const certify::VerdictCounts& verdicts);
-std::string early_for_person(const certify::EarlyTally& early);  ///< empty when no claim had a toi
+std::string early_for_person(const certify::TimeErrors& early);  ///< empty when no claim had a toi
+std::string late_for_person(const certify::TimeErrors& late);    ///< empty when none was late
+
+/// How many claims are how far from the exact time; empty for none. @param heading  "early" or "late"
+std::string histogram_for_person(std::string_view heading, const certify::TimeErrors& errors);
 
 /// One refuted claim and the command that explains its query. @param turns, decimals  with which it was judged
 std::string refuted_for_person(const certify::RefutedClaim& refuted, io::Turns turns, io::Decimals decimals);

@@ -11,6 +11,7 @@
 
 #include <touchstone/curved.hpp>
 
+#include "cli/shared/command_line/judging_options.hpp"
 #include "cli/shared/new_folders.hpp"
 #include "cli/shared/words.hpp"
 #include "fuzz/judging/finding_text.hpp"
@@ -67,6 +68,18 @@ std::string given_for_person(const fuzz::SearchOutcome& outcome) {
   return text + '\n';
 }
 
+std::string allowed_for_person(const FuzzCommandOptions& options, const fuzz::SearchOutcome& outcome) {
+  const fuzz::Allowance& allowance = options.settings.allowance;
+  std::vector<std::string> texts;
+  if (allowance.late) texts.push_back("late by at most " + time_limit_text(*allowance.late));
+  if (allowance.near > 0) {
+    texts.push_back(fmt::format("phantom within {} of the greatest coordinate", allowance.near));
+  }
+  if (!allowance.classes.empty()) texts.push_back("of other classes than " + names_text(allowance.classes));
+  if (texts.empty()) return "";
+  return fmt::format("; {} did not count: {}", counted(outcome.allowed, "wrong answer"), fmt::join(texts, ", or "));
+}
+
 std::string table_for_person(const FailureTable& table) {
   const FailureTable::Row total = table.total();
   if (total.failed() == 0) return "";
@@ -105,8 +118,10 @@ std::string case_command(const FuzzCommandOptions& options, const fuzz::CaseName
   command += options.separation.each ? each_separation_arguments(options.separation.separation.metric)
                                      : separation_arguments(options.separation.separation);
   if (options.settings.judge != Method::exact) command += fmt::format(" --judge {}", name_of(options.settings.judge));
-  if (options.settings.early.ulps) command += fmt::format(" --early {}ulps", *options.settings.early.ulps);
-  if (options.settings.early.fraction) command += fmt::format(" --early {}", *options.settings.early.fraction);
+  const fuzz::Allowance& allowance = options.settings.allowance;
+  if (allowance.early.ulps || allowance.early.fraction) command += " --early " + time_limit_text(allowance.early);
+  if (allowance.late) command += " --late " + time_limit_text(*allowance.late);
+  if (allowance.near > 0) command += fmt::format(" --near {}", allowance.near);
   for (const std::string& file : options.from) command += " --from " + shell_word(file);
   return command + " --case " + shell_word(fuzz::case_text(name));
 }

@@ -19,6 +19,9 @@ std::string search_for_person(const FuzzCommandOptions& options, const fuzz::Sea
 /// The number of given queries that were asked; empty when all of them were.
 std::string given_for_person(const fuzz::SearchOutcome& outcome);
 
+/// "; 3 wrong answers did not count: late by at most 16ulps". Empty where all count.
+std::string allowed_for_person(const FuzzCommandOptions& options, const fuzz::SearchOutcome& outcome);
+
 /// Failures by family and class. Families without failures are left out. Empty without any failure.
 std::string table_for_person(const fuzz::FailureTable& table);
 

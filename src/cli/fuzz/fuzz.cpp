@@ -95,13 +95,14 @@ int run_fuzz(const FuzzCommandOptions& options) {
   std::string summary = search_for_person(options, outcome, settings.threads) + given_for_person(outcome) +
                         table_for_person(outcome.table);
   if (outcome.kinds_of_failure == 0) {
-    summary += "nothing found\n";
+    summary += "nothing found";
   } else {
     const std::size_t shown = outcome.findings.size();
     summary += fmt::format(
-        "{} of failure{}\n", outcome.kinds_of_failure == 1 ? "1 kind" : grouped(outcome.kinds_of_failure) + " kinds",
+        "{} of failure{}", outcome.kinds_of_failure == 1 ? "1 kind" : grouped(outcome.kinds_of_failure) + " kinds",
         shown < outcome.kinds_of_failure ? fmt::format("; {} shown (--findings 0 shows all)", shown) : "");
   }
+  summary += allowed_for_person(options, outcome) + "\n";
   console.write(summary);
   print_findings(console, summary, outcome.findings, options);
   console.commit();

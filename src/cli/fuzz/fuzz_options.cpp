@@ -8,6 +8,7 @@
 #include "baselines/separation_baseline.hpp"
 #include "cli/fuzz/fuzz.hpp"
 #include "cli/shared/command_line/common_options.hpp"
+#include "cli/shared/command_line/judging_options.hpp"
 #include "cli/shared/command_line/kind_check.hpp"
 #include "cli/shared/words.hpp"
 #include "fuzz/climb.hpp"
@@ -23,21 +24,6 @@ std::string check_seconds(const std::string& text) {
   const auto value = io::parse_finite_double(text);
   if (value && *value > 0 && *value <= 1e9) return {};
   return text + (value ? " must be a number of seconds above 0" : fault_of_number(text));
-}
-
-/// "16ulps", or a fraction of the step.
-std::optional<fuzz::EarlyLimit> early_limit(const std::string& text) {
-  constexpr std::string_view kUlps = "ulps";
-  fuzz::EarlyLimit limit;
-  if (text.ends_with(kUlps)) {
-    const std::string number = text.substr(0, text.size() - kUlps.size());
-    if (!check_whole_number(number, 0).empty()) return std::nullopt;
-    limit.ulps = std::stoull(number);
-    return limit;
-  }
-  limit.fraction = io::parse_finite_double(text);
-  if (!limit.fraction || *limit.fraction < 0 || *limit.fraction > 1) return std::nullopt;
-  return limit;
 }
 
 std::optional<families::Family> family_from_name(const std::string& name) {
@@ -106,17 +92,28 @@ void add_solver_options(CLI::App& subcommand, FuzzCommandOptions& options) {
           "The code whose answers count as true: exact, fast, oracle or fast-cgal; see solve --level (default: exact)")
       ->type_name("LEVEL")
       ->check(CLI::IsMember(all_names<Method>()));
+  fuzz::Allowance& allowance = options.settings.allowance;
+  add_time_limit(subcommand, "--early",
+                 "The greatest distance of a claimed time before the exact time (default: any distance)",
+                 [&allowance](const certify::TimeLimit& limit) { allowance.early = limit; });
+  add_time_limit(subcommand, "--late",
+                 "The greatest distance of a claimed time after the exact time that is no failure (default: none)",
+                 [&allowance](const certify::TimeLimit& limit) { allowance.late = limit; });
   subcommand
       .add_option_function<std::string>(
-          "--early", [&options](const std::string& text) { options.settings.early = *early_limit(text); },
-          "The distance by which a claimed time may lie before the exact time: 16ulps, or 1e-6 for that fraction of "
-          "the "
-          "step (default: any distance)")
-      ->type_name("LIMIT")
+          "--near", [&allowance](const std::string& text) { allowance.near = *io::parse_finite_double(text); },
+          "A contact that does not exist is no failure where the elements come within this part of the query's "
+          "greatest coordinate of being in contact (default: 0)")
+      ->type_name("F")
       ->check([](const std::string& text) {
-        return early_limit(text) ? std::string()
-                                 : text + " must be a number of ulps, 16ulps, or a fraction of the step in [0, 1]";
+        const auto value = io::parse_finite_double(text);
+        if (value && *value >= 0 && *value <= 1) return std::string();
+        return text + (value ? " must be in [0, 1]" : fault_of_number(text));
       });
+  add_class_option(
+      subcommand, all_names<FuzzFailure>(),
+      "Look for failures of these classes only, such as missed,late (default: all)",
+      [&allowance](const std::string& name) { allowance.classes.push_back(*from_name<FuzzFailure>(name)); });
 }
 
 /// @returns the options that choose among the families

@@ -26,7 +26,10 @@ void Tally::add(const Claim& claim, const Answer& answer, Verdict verdict) noexc
   verdicts.add(verdict);
   ++levels[static_cast<std::size_t>(answer.level)];
   ++natures[static_cast<std::size_t>(answer.nature)];
-  if (verdict != Verdict::holds || !claim.contact || !claim.toi) return;
+  if (!claim.contact || !claim.toi) return;
+  // A late time as written may round to the answer's toi.
+  if (verdict == Verdict::late) late.add(answer.toi, std::max(*claim.toi, answer.toi));
+  if (verdict != Verdict::holds) return;
   // A time as written may hold and yet round to the double after the exact time. Then it is early by 0 doubles.
   early.add(std::min(*claim.toi, answer.toi), answer.toi);
 }
@@ -36,6 +39,7 @@ void Tally::merge(const Tally& other) noexcept {
   for (std::size_t i = 0; i < levels.size(); ++i) levels[i] += other.levels[i];
   for (std::size_t i = 0; i < natures.size(); ++i) natures[i] += other.natures[i];
   early.merge(other.early);
+  late.merge(other.late);
 }
 
 }  // namespace touchstone::certify

@@ -14,7 +14,7 @@
 #include <touchstone/query.hpp>
 #include <touchstone/separation.hpp>
 
-#include "certify/early.hpp"
+#include "certify/time_errors.hpp"
 
 namespace touchstone::certify {
 
@@ -34,10 +34,20 @@ struct Tally {
   VerdictCounts verdicts;
   std::array<std::uint64_t, 4> levels{};   ///< by Level: which level decided
   std::array<std::uint64_t, 6> natures{};  ///< by Nature of the exact answer, Nature::none first
-  EarlyTally early;                        ///< of claims that hold and have a toi
+  TimeErrors early;                        ///< of claims that hold and have a toi
+  TimeErrors late;                         ///< of those that are late: from the answer's toi on
 
   void add(const Claim& claim, const Answer& answer, Verdict verdict) noexcept;
   void merge(const Tally& other) noexcept;
+};
+
+/// Wrong claims that do not count as refuted.
+struct NotCounted {
+  std::uint64_t late = 0;   ///< within a limit
+  std::uint64_t other = 0;  ///< of classes that were not asked for
+
+  std::uint64_t claims() const noexcept { return late + other; }
+  void merge(const NotCounted& more) noexcept { late += more.late, other += more.other; }
 };
 
 /// The verdicts on one file's claims.

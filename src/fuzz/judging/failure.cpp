@@ -7,15 +7,10 @@
 #include <touchstone/certify.hpp>
 
 #include "certify/answer_check.hpp"
-#include "certify/early.hpp"
+#include "certify/time_errors.hpp"
 
 namespace touchstone::fuzz {
 namespace {
-
-bool too_early(double claimed, double toi, const EarlyLimit& early) {
-  if (early.ulps && certify::ulps_between(claimed, toi) > *early.ulps) return true;
-  return early.fraction && toi - claimed > *early.fraction;
-}
 
 /// Whether the claimed time is before the step; one that rounds to -0 is, unless it is 0.
 bool is_negative(const Reply& reply) {
@@ -24,8 +19,8 @@ bool is_negative(const Reply& reply) {
 
 }  // namespace
 
-std::optional<Failure> failure_of(const Query& query, const Reply& reply, const Answer& truth, const EarlyLimit& early,
-                                  const Separation& separation) {
+std::optional<Failure> failure_of(const Query& query, const Reply& reply, const Answer& truth,
+                                  const certify::TimeLimit& early, const Separation& separation) {
   switch (reply.state) {
     case Reply::State::crashed: return Failure{FailureClass::crash, reply.detail};
     case Reply::State::hung: return Failure{FailureClass::hang, reply.detail};
@@ -46,8 +41,8 @@ std::optional<Failure> failure_of(const Query& query, const Reply& reply, const 
   if (!reply.toi) return std::nullopt;
   if (is_negative(reply)) return Failure{FailureClass::malformed, "a time before the step"};
   // A time as written that is not late may round to the double after the exact time.
-  if (too_early(std::min(*reply.toi, truth.toi), truth.toi, early)) return Failure{FailureClass::early, ""};
-  return std::nullopt;
+  if (early.allows(std::min(*reply.toi, truth.toi), truth.toi)) return std::nullopt;
+  return Failure{FailureClass::early, ""};
 }
 
 std::optional<Failure> failure_of(Kind kind, const Answer& answer, const Answer& truth, double t_max) {

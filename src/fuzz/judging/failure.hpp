@@ -7,12 +7,14 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include <touchstone/answer.hpp>
 #include <touchstone/fuzz.hpp>
 #include <touchstone/query.hpp>
 #include <touchstone/separation.hpp>
 
+#include "certify/time_errors.hpp"
 #include "fuzz/solver_under_test.hpp"
 
 namespace touchstone::fuzz {
@@ -23,10 +25,14 @@ inline constexpr std::array<FailureClass, kFailureClasses> kEveryFailure{
     FailureClass::crash, FailureClass::hang,    FailureClass::malformed, FailureClass::missed, FailureClass::late,
     FailureClass::nan,   FailureClass::phantom, FailureClass::early,     FailureClass::differs};
 
-/// The distance by which a claimed time may lie before the exact time; without either member, any distance.
-struct EarlyLimit {
-  std::optional<std::uint64_t> ulps;  ///< doubles between the claim and the answer's toi
-  std::optional<double> fraction;     ///< of the step
+/// What a reply may be without being a failure.
+struct Allowance {
+  certify::TimeLimit early;                ///< how far before the exact time
+  std::optional<certify::TimeLimit> late;  ///< how far after it; nothing: not at all
+  /// A contact that does not exist, where the elements come within this part of the query's greatest coordinate of
+  /// being in contact.
+  double near = 0;
+  std::vector<FailureClass> classes;  ///< the failures that count; empty: all
 };
 
 /// A failure. `detail` tells a person more than the class alone.
@@ -36,8 +42,8 @@ struct Failure {
 };
 
 /// The failure of this reply to `query`, if any. `truth` is the exact answer for the separation.
-std::optional<Failure> failure_of(const Query& query, const Reply& reply, const Answer& truth, const EarlyLimit& early,
-                                  const Separation& separation = {});
+std::optional<Failure> failure_of(const Query& query, const Reply& reply, const Answer& truth,
+                                  const certify::TimeLimit& early, const Separation& separation = {});
 
 /// The failure of a whole answer, if any. Everything except its level counts.
 std::optional<Failure> failure_of(Kind kind, const Answer& answer, const Answer& truth, double t_max = 1);

@@ -1,16 +1,45 @@
 // SPDX-License-Identifier: MIT
 #include "fuzz/judging/judged_solver.hpp"
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
 #include <touchstone/curved.hpp>
 
 namespace touchstone::fuzz {
+namespace {
+
+double greatest_coordinate(const AnyQuery& query) noexcept {
+  double greatest = 0;
+  const auto add = [&greatest](const Vec3& x) {
+    greatest = std::max({greatest, std::fabs(x.x), std::fabs(x.y), std::fabs(x.z)});
+  };
+  if (const auto* const straight = std::get_if<Query>(&query)) {
+    for (const auto* const corners : {&straight->start, &straight->end})
+      std::for_each(corners->begin(), corners->end(), add);
+    return greatest;
+  }
+  const auto& curved = std::get<CurvedQuery>(query);
+  for (std::size_t i = 0; i < corner_count(curved.kind); ++i) {
+    const CurvedCorner& corner = curved.corners[i];
+    std::for_each(corner.points.begin(), corner.points.end(), add);
+    if (corner.motion == CurvedCorner::kOnCurve) continue;
+    const RigidMotion& motion = curved.motions[static_cast<std::size_t>(corner.motion)];
+    add(motion.p0);
+    add(motion.p1);
+  }
+  return greatest;
+}
+
+}  // namespace
 
 JudgedSolver::JudgedSolver(SolverUnderTest& solver, const Settings& settings)
     : solver_(solver),
       answering_(dynamic_cast<AnsweringSolver*>(&solver)),
       judge_(settings.judge),
       own_separations_(settings.own_separations),
-      early_(settings.early) {}
+      allowance_(settings.allowance) {}
 
 Answer JudgedSolver::truth(const Asked& asked) const {
   if (const auto* const curved = std::get_if<CurvedQuery>(&asked.query)) {
@@ -19,12 +48,42 @@ Answer JudgedSolver::truth(const Asked& asked) const {
   return solve(std::get<Query>(asked.query), {.separation = asked.separation, .method = judge_});
 }
 
+bool JudgedSolver::allows(const JudgedReply& judged, const Asked& asked, const Answer& truth) const {
+  const FailureClass failure = judged.failure->failure;
+  const auto& classes = allowance_.classes;
+  if (!classes.empty() && std::find(classes.begin(), classes.end(), failure) == classes.end()) return true;
+  if (failure == FailureClass::late && allowance_.late) {
+    // A late time as written may round to the answer's toi.
+    return allowance_.late->allows(truth.toi, std::max(*judged.reply.toi, truth.toi));
+  }
+  if (failure != FailureClass::phantom || allowance_.near == 0) return false;
+  constexpr double kMost = std::numeric_limits<double>::max();
+  Asked wider = asked;
+  const double near = std::min(allowance_.near * greatest_coordinate(asked.query), kMost);
+  wider.separation.distance = std::min(asked.separation.distance + near, kMost);
+  return this->truth(wider).contact;
+}
+
+JudgedReply JudgedSolver::ask_straight(const Query& query, const Separation& separation, const Answer& truth) const {
+  JudgedReply judged;
+  if (answering_ == nullptr) {
+    judged.reply = solver_.ask(query);
+    judged.failure = failure_of(query, judged.reply, truth, allowance_.early, separation);
+    return judged;
+  }
+  const Answer answer = answering_->answer(query);
+  judged.reply.contact = answer.contact;
+  if (answer.contact) judged.reply.toi = answer.toi;
+  judged.failure = failure_of(query.kind, answer, truth);
+  return judged;
+}
+
 JudgedReply JudgedSolver::ask_curved(const CurvedQuery& query, double t_max, const Answer& truth) const {
   JudgedReply judged;
   if (answering_ == nullptr) {
     judged.reply = solver_.ask_curved(query, t_max);
     // A curved query is asked in this process, so that its time is a double and the judge needs no query.
-    judged.failure = failure_of(Query(), judged.reply, truth, early_);
+    judged.failure = failure_of(Query(), judged.reply, truth, allowance_.early);
     return judged;
   }
   const Answer answer = answering_->answer_curved(query, t_max);
@@ -35,20 +94,13 @@ JudgedReply JudgedSolver::ask_curved(const CurvedQuery& query, double t_max, con
 }
 
 JudgedReply JudgedSolver::ask(const Asked& asked, const Answer& truth) const {
-  const Separation& separation = asked.separation;
-  if (own_separations_) solver_.change_separation(separation);
-  if (const auto* const curved = std::get_if<CurvedQuery>(&asked.query)) return ask_curved(*curved, asked.t_max, truth);
-  const auto& query = std::get<Query>(asked.query);
-  JudgedReply judged;
-  if (answering_ == nullptr) {
-    judged.reply = solver_.ask(query);
-    judged.failure = failure_of(query, judged.reply, truth, early_, separation);
-    return judged;
-  }
-  const Answer answer = answering_->answer(query);
-  judged.reply.contact = answer.contact;
-  if (answer.contact) judged.reply.toi = answer.toi;
-  judged.failure = failure_of(query.kind, answer, truth);
+  if (own_separations_) solver_.change_separation(asked.separation);
+  const auto* const curved = std::get_if<CurvedQuery>(&asked.query);
+  JudgedReply judged = curved != nullptr ? ask_curved(*curved, asked.t_max, truth)
+                                         : ask_straight(std::get<Query>(asked.query), asked.separation, truth);
+  if (!judged.failure || !allows(judged, asked, truth)) return judged;
+  judged.failure.reset();
+  judged.allowed = true;
   return judged;
 }
 

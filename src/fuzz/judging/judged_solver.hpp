@@ -20,11 +20,12 @@ namespace touchstone::fuzz {
 struct JudgedReply {
   Reply reply;
   std::optional<Failure> failure;
+  bool allowed = false;  ///< there is none, by Allowance::late, near or classes alone
 };
 
 class JudgedSolver {
  public:
-  /// @param settings  its judge gives the answers that count as the true ones
+  /// @param settings  its judge gives the answers that count as the true ones; they must outlive this
   JudgedSolver(SolverUnderTest& solver, const Settings& settings);
 
   /// The judge's answer. The solver is not asked.
@@ -34,13 +35,15 @@ class JudgedSolver {
   JudgedReply ask(const Asked& asked, const Answer& truth) const;
 
  private:
+  bool allows(const JudgedReply& judged, const Asked& asked, const Answer& truth) const;
+  JudgedReply ask_straight(const Query& query, const Separation& separation, const Answer& truth) const;
   JudgedReply ask_curved(const CurvedQuery& query, double t_max, const Answer& truth) const;
 
   SolverUnderTest& solver_;
   AnsweringSolver* answering_;  ///< the same solver when it gives whole answers, else null
   Method judge_;
   bool own_separations_;
-  EarlyLimit early_;
+  const Allowance& allowance_;
 };
 
 }  // namespace touchstone::fuzz

@@ -179,6 +179,7 @@ class Finding:
 class FuzzReport:
     queries: int
     failures: int
+    allowed: int
     kinds_of_failure: int
     findings: List[Finding]
     def page(self) -> str: ...
@@ -189,6 +190,7 @@ def prove(kind: str, start: ArrayLike, end: ArrayLike, separation: float, metric
 def prove_curved(queries: CurvedArrays, separation: float, metric: str, threads: int) -> ProvedFile: ...
 def fuzz(solver: Any, kinds: Optional[List[str]], families: Optional[List[str]], cases: int, seed: int, climb: int,
          separation: float, metric: str, early_ulps: Optional[int], early_fraction: Optional[float],
+         late_ulps: Optional[int], late_fraction: Optional[float], near: float, failures: Optional[List[str]],
          findings: int) -> FuzzReport: ...
 # None in a build without pages, and so are claims_page and mesh_page
 def page(kind: str, start: ArrayLike, end: ArrayLike, t_max: float, separation: float, metric: str, title: str,

@@ -40,13 +40,16 @@ def _words(words, name):
 def fuzz(solver: Callable[[str, NDArray[np.float64], NDArray[np.float64]], Any], cases: int = 10_000, *,
          kinds: Optional[Iterable[Kind]] = None, families: Optional[Iterable[str]] = None, seed: int = 1,
          climb: int = 0, separation: float = 0.0, metric: Metric = "euclidean",
-         early_ulps: Optional[int] = None, early_fraction: Optional[float] = None, findings: int = 32) -> FuzzReport:
+         early_ulps: Optional[int] = None, early_fraction: Optional[float] = None,
+         late_ulps: Optional[int] = None, late_fraction: Optional[float] = None, near: float = 0.0,
+         failures: Optional[Iterable[str]] = None, findings: int = 32) -> FuzzReport:
     """Asks a solver degenerate and extreme queries, judges its replies exactly, and shrinks the queries that it fails.
 
     solver       a function of (kind, start, end): a word and two float64 arrays of shape (corners, 3). It returns
                  whether there is contact for t in [0, 1], a bool; or the time of contact, a float; or None for no
                  contact; or a tuple (contact, toi), where toi may be None. An Exception that it raises is a finding;
-                 KeyboardInterrupt, SystemExit and the like end the run, and reach the caller
+                 KeyboardInterrupt, SystemExit and the like end the run, and reach the caller, and so does the
+                 Exception that each of the first 20 calls raises
     cases        how many queries to make, in equal parts for all families and kinds
     kinds        the kinds of query, or one; all by default
     families     the families of queries, as `touchstone fuzz --help` lists them; all by default
@@ -56,9 +59,16 @@ def fuzz(solver: Callable[[str, NDArray[np.float64], NDArray[np.float64]], Any],
                  `solve`
     early_ulps   the greatest distance of a claimed time before the exact one, in doubles; by default any
     early_fraction  the same as a fraction of the step
+    late_ulps    the greatest distance of a claimed time after the exact one that is no failure, in doubles from the
+                 largest one <= the exact time on; by default none
+    late_fraction  the same as a fraction of the step
+    near         a contact that does not exist is no failure where the elements come within this part of the query's
+                 greatest coordinate of being in contact
+    failures     the failures to look for, such as ['missed', 'late']; all by default
     findings     how many findings to shrink and return
 
-    Returns a FuzzReport with the attributes queries, failures, kinds_of_failure and findings. A Finding has failure,
+    Returns a FuzzReport with the attributes queries, failures, allowed (wrong replies that late_ulps and the
+    options after it let pass), kinds_of_failure and findings. A Finding has failure,
     degeneracy, count, kind, start, end, contact, toi, truth, detail, case_name, separation and metric; it prints
     itself, and shows itself in a notebook. The function runs on another thread than the caller's. Raises ValueError for
     options without meaning, and KeyboardInterrupt at Ctrl-C, when the function's call that runs then has ended.
@@ -73,8 +83,10 @@ def fuzz(solver: Callable[[str, NDArray[np.float64], NDArray[np.float64]], Any],
     >>> report.failures > 0, sorted({finding.failure for finding in report.findings})
     (True, ['missed', 'phantom'])
     """
-    fraction = None if early_fraction is None else float(early_fraction)
+    def number(value, convert):
+        return None if value is None else convert(value)
     return _core.fuzz(solver, _words(kinds, "kinds"), _words(families, "families"), _whole(cases, "cases", 1),
                       _whole(seed, "seed"), _whole(climb, "climb"), separation, metric,
-                      None if early_ulps is None else _whole(early_ulps, "early_ulps"), fraction,
-                      _whole(findings, "findings"))
+                      number(early_ulps, lambda ulps: _whole(ulps, "early_ulps")), number(early_fraction, float),
+                      number(late_ulps, lambda ulps: _whole(ulps, "late_ulps")), number(late_fraction, float),
+                      float(near), _words(failures, "failures"), _whole(findings, "findings"))

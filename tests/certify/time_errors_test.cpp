@@ -1,6 +1,6 @@
 // How early claims are: counts in buckets against a sorted list of the same distances.
 // SPDX-License-Identifier: MIT
-#include "certify/early.hpp"
+#include "certify/time_errors.hpp"
 
 #include <algorithm>
 #include <array>
@@ -18,12 +18,12 @@ using certify::ulps_between;
 namespace {
 
 template <class Distance>
-bool holds(const certify::EarlyBucket<Distance>& bucket, Distance value) {
+bool holds(const certify::ErrorBucket<Distance>& bucket, Distance value) {
   return bucket.from <= value && (!bucket.below || value < *bucket.below);
 }
 
 template <class Distance>
-void check_buckets(const std::vector<certify::EarlyBucket<Distance>>& buckets, const std::vector<Distance>& values) {
+void check_buckets(const std::vector<certify::ErrorBucket<Distance>>& buckets, const std::vector<Distance>& values) {
   std::uint64_t claims = 0;
   for (std::size_t i = 0; i < buckets.size(); ++i) {
     const auto& bucket = buckets[i];
@@ -58,8 +58,8 @@ TEST_CASE("buckets, median and extremes are those of the sorted distances, in ho
   tests::Rng rng(kSeed);
   for (const int count : {1, 2, 3, 10, 1001}) {
     CAPTURE(count);
-    certify::EarlyTally whole;
-    std::array<certify::EarlyTally, 3> parts;
+    certify::TimeErrors whole;
+    std::array<certify::TimeErrors, 3> parts;
     std::vector<std::uint64_t> ulps;
     std::vector<double> times;
     for (int i = 0; i < count; ++i) {
@@ -77,7 +77,7 @@ TEST_CASE("buckets, median and extremes are those of the sorted distances, in ho
       ulps.push_back(ulps_between(claimed, toi));
       times.push_back(toi - claimed);
     }
-    certify::EarlyTally merged;
+    certify::TimeErrors merged;
     for (const auto& part : parts) merged.merge(part);
     std::sort(ulps.begin(), ulps.end());
     std::sort(times.begin(), times.end());
@@ -97,7 +97,7 @@ TEST_CASE("buckets, median and extremes are those of the sorted distances, in ho
 }
 
 TEST_CASE("the widest distances have a bucket") {
-  certify::EarlyTally tally;
+  certify::TimeErrors tally;
   tally.add(-DBL_MAX, 1.0);
   tally.add(0.0, std::numeric_limits<double>::denorm_min());
   REQUIRE(tally.ulps().size() == 2);
@@ -109,4 +109,19 @@ TEST_CASE("the widest distances have a bucket") {
   CHECK(tally.times().front().from == std::numeric_limits<double>::denorm_min());
   CHECK(tally.times().back().from == 0x1p1023);
   CHECK_FALSE(tally.times().back().below);
+}
+
+TEST_CASE("a limit allows what is no farther, in doubles or in parts of the step") {
+  certify::TimeLimit limit;
+  CHECK(limit.allows(0, 1));
+  limit.ulps = 2;
+  const double next = std::nextafter(0.5, 1), after = std::nextafter(next, 1);
+  CHECK(limit.allows(0.5, after));
+  CHECK_FALSE(limit.allows(0.5, std::nextafter(after, 1)));
+  CHECK_FALSE(limit.allows(0.5, std::numeric_limits<double>::infinity()));
+  limit = {};
+  limit.fraction = 0.25;
+  CHECK(limit.allows(0.5, 0.75));
+  CHECK_FALSE(limit.allows(0.5, std::nextafter(0.75, 1)));
+  CHECK_FALSE(limit.allows(0.5, std::numeric_limits<double>::infinity()));
 }

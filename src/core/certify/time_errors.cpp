@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "certify/early.hpp"
+#include "certify/time_errors.hpp"
 
 #include <algorithm>
 #include <bit>
@@ -16,7 +16,7 @@ std::uint64_t index_of(double value) noexcept {
 }
 
 template <class Distance>
-EarlyBucket<Distance> bucket_of_median(const std::vector<EarlyBucket<Distance>>& buckets, std::uint64_t claims) {
+ErrorBucket<Distance> bucket_of_median(const std::vector<ErrorBucket<Distance>>& buckets, std::uint64_t claims) {
   std::uint64_t before = 0;
   for (const auto& bucket : buckets) {
     before += bucket.claims;
@@ -29,9 +29,9 @@ EarlyBucket<Distance> bucket_of_median(const std::vector<EarlyBucket<Distance>>&
 
 std::uint64_t ulps_between(double from, double to) noexcept { return index_of(to) - index_of(from); }
 
-void EarlyTally::add(double claimed, double toi) noexcept {
-  const std::uint64_t ulps = ulps_between(claimed, toi);
-  const double time = toi - claimed;  // zero only when they are equal: doubles have gradual underflow
+void TimeErrors::add(double from, double to) noexcept {
+  const std::uint64_t ulps = ulps_between(from, to);
+  const double time = to - from;  // zero only when they are equal: doubles have gradual underflow
   least_ulps_ = claims_ == 0 ? ulps : std::min(least_ulps_, ulps);
   most_ulps_ = std::max(most_ulps_, ulps);
   least_time_ = claims_ == 0 ? time : std::min(least_time_, time);
@@ -41,7 +41,7 @@ void EarlyTally::add(double claimed, double toi) noexcept {
   ++times_[time == 0 ? 0 : static_cast<std::size_t>(std::ilogb(time) - kLeastExponent + 1)];
 }
 
-void EarlyTally::merge(const EarlyTally& other) noexcept {
+void TimeErrors::merge(const TimeErrors& other) noexcept {
   if (other.claims_ == 0) return;
   least_ulps_ = claims_ == 0 ? other.least_ulps_ : std::min(least_ulps_, other.least_ulps_);
   most_ulps_ = std::max(most_ulps_, other.most_ulps_);
@@ -52,15 +52,15 @@ void EarlyTally::merge(const EarlyTally& other) noexcept {
   for (std::size_t i = 0; i < times_.size(); ++i) times_[i] += other.times_[i];
 }
 
-EarlyBucket<std::uint64_t> EarlyTally::median_ulps() const { return bucket_of_median(ulps(), claims_); }
+ErrorBucket<std::uint64_t> TimeErrors::median_ulps() const { return bucket_of_median(ulps(), claims_); }
 
-EarlyBucket<double> EarlyTally::median_time() const { return bucket_of_median(times(), claims_); }
+ErrorBucket<double> TimeErrors::median_time() const { return bucket_of_median(times(), claims_); }
 
-std::vector<EarlyBucket<std::uint64_t>> EarlyTally::ulps() const {
-  std::vector<EarlyBucket<std::uint64_t>> buckets;
+std::vector<ErrorBucket<std::uint64_t>> TimeErrors::ulps() const {
+  std::vector<ErrorBucket<std::uint64_t>> buckets;
   for (std::size_t bits = 0; bits < ulps_.size(); ++bits) {
     if (ulps_[bits] == 0) continue;
-    EarlyBucket<std::uint64_t> bucket;
+    ErrorBucket<std::uint64_t> bucket;
     bucket.from = bits == 0 ? 0 : std::uint64_t{1} << (bits - 1);
     if (bits < 64) bucket.below = std::uint64_t{1} << bits;
     bucket.claims = ulps_[bits];
@@ -69,12 +69,12 @@ std::vector<EarlyBucket<std::uint64_t>> EarlyTally::ulps() const {
   return buckets;
 }
 
-std::vector<EarlyBucket<double>> EarlyTally::times() const {
-  std::vector<EarlyBucket<double>> buckets;
+std::vector<ErrorBucket<double>> TimeErrors::times() const {
+  std::vector<ErrorBucket<double>> buckets;
   for (std::size_t i = 0; i < times_.size(); ++i) {
     if (times_[i] == 0) continue;
     const int exponent = static_cast<int>(i) - 1 + kLeastExponent;
-    EarlyBucket<double> bucket;
+    ErrorBucket<double> bucket;
     bucket.from = i == 0 ? 0.0 : std::ldexp(1.0, exponent);
     if (exponent < kGreatestExponent) bucket.below = std::ldexp(1.0, i == 0 ? kLeastExponent : exponent + 1);
     bucket.claims = times_[i];

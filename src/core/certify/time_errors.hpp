@@ -1,4 +1,4 @@
-// For claims that hold: how far before the exact time the claimed time lies. Exact counts in bounded memory.
+// How far claimed times lie before or after the exact ones. Exact counts in bounded memory.
 // SPDX-License-Identifier: MIT
 #pragma once
 
@@ -14,36 +14,47 @@ namespace touchstone::certify {
 /// Both are finite and from <= to.
 std::uint64_t ulps_between(double from, double to) noexcept;
 
+/// How far a claimed time may lie from the exact one; without either member, any distance.
+struct TimeLimit {
+  std::optional<std::uint64_t> ulps;  ///< as ulps_between
+  std::optional<double> fraction;     ///< of the step
+
+  /// @param from, to  as for ulps_between
+  bool allows(double from, double to) const noexcept {
+    return !(ulps && ulps_between(from, to) > *ulps) && !(fraction && to - from > *fraction);
+  }
+};
+
 /// Claims whose distance lies in [from, below).
 template <class Distance>
-struct EarlyBucket {
+struct ErrorBucket {
   Distance from{};
   std::optional<Distance> below;  ///< nothing: no upper end
   std::uint64_t claims = 0;
 };
 
-/// Counts distances to the answer's toi in buckets that double in width, so that any number of claims takes the same
+/// Counts the distances of claimed times from exact ones in buckets that double in width, so that any number of claims takes the same
 /// memory, partial counts from several threads add up to the same, and the bucket of the median is exact.
-class EarlyTally {
+class TimeErrors {
  public:
-  /// @param claimed, toi  finite, claimed <= toi
-  void add(double claimed, double toi) noexcept;
-  void merge(const EarlyTally& other) noexcept;
+  /// @param from, to  the claimed time and the answer's toi, or the other way round: finite, from <= to
+  void add(double from, double to) noexcept;
+  void merge(const TimeErrors& other) noexcept;
 
   std::uint64_t claims() const noexcept { return claims_; }
 
   // Of at least one claim:
   std::uint64_t least_ulps() const noexcept { return least_ulps_; }
   std::uint64_t most_ulps() const noexcept { return most_ulps_; }
-  double least_time() const noexcept { return least_time_; }  ///< toi - claimed, rounded to nearest
+  double least_time() const noexcept { return least_time_; }  ///< to - from, rounded to nearest
   double most_time() const noexcept { return most_time_; }
-  EarlyBucket<std::uint64_t> median_ulps() const;  ///< where the lower median lies
-  EarlyBucket<double> median_time() const;
+  ErrorBucket<std::uint64_t> median_ulps() const;  ///< where the lower median lies
+  ErrorBucket<double> median_time() const;
 
   /// The buckets that are not empty, ascending: {0}, [1, 2), [2, 4), [4, 8), ...
-  std::vector<EarlyBucket<std::uint64_t>> ulps() const;
+  std::vector<ErrorBucket<std::uint64_t>> ulps() const;
   /// The buckets that are not empty, ascending: {0}, and [2^k, 2^(k+1)).
-  std::vector<EarlyBucket<double>> times() const;
+  std::vector<ErrorBucket<double>> times() const;
 
  private:
   static constexpr int kLeastExponent = -1074;
