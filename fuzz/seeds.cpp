@@ -109,6 +109,17 @@ std::vector<std::string> mesh_file_seeds() {
   const std::string vtk = "\nBINARY\nDATASET POLYDATA\nPOINTS 2 float\n" + std::string(24, '\1') + "\nLINES ";
   std::string stl = std::string(80, ' ') + std::string("\1\0\0\0", 4);
   for (int i = 0; i < 50; ++i) stl += static_cast<char>(i);
+  const std::string gltf =
+      R"({"asset":{"version":"2.0"},"scenes":[{"nodes":[0]}],"nodes":[{"mesh":0,"rotation":[0,0,1,2],"children":[1]},)"
+      R"({"mesh":0,"name":"b","scale":[1,-1,1]}],"meshes":[{"primitives":[{"attributes":{"POSITION":0}},)"
+      R"({"attributes":{"POSITION":0},"indices":1,"mode":5}]}],"accessors":[)"
+      R"({"bufferView":0,"componentType":5126,"count":3,"type":"VEC3"},)"
+      R"({"bufferView":0,"byteOffset":1,"componentType":5121,"count":4,"type":"SCALAR"}],)"
+      R"("bufferViews":[{"buffer":0,"byteLength":36,"byteOffset":0}],"buffers":[{"byteLength":36,"uri":)"
+      R"("data:;base64,AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAA"}]})";
+  const auto bytes = [](std::size_t number) {
+    return std::string{static_cast<char>(number & 255), static_cast<char>(number >> 8), '\0', '\0'};
+  };
   return {
       "\1v 0 0 0\nv 1 0 .5\nv 0x1p-3 1 0 1\nv 1 1 1 1 0 0\ng a b\nf 1/1/1 2//2 3/3\no c\nf -4 -3 -2 -1\nl 1 2 4\np 4\n",
       "\2ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\nelement face "
@@ -125,12 +136,14 @@ std::vector<std::string> mesh_file_seeds() {
       "\6# vtk DataFile Version 4.2\n" + vtk + "1 3\n" + std::string("\0\0\0\2\0\0\0\0\0\0\0\1", 12),
       "\6# vtk DataFile Version 5.1\n" + vtk + "2 2\nOFFSETS vtktypeint32\n" + std::string("\0\0\0\0\0\0\0\2", 8) +
           "\nCONNECTIVITY vtktypeint32\n" + std::string("\0\0\0\0\0\0\0\1", 8),
-      "\11COFF 4 3 0 # c\n0 0 0 1\n1 0 0\n0 1 0\n1 1 .5\n3 0 1 2\n4 0 1 3 2 1\n2 0 3\n",
-      "\12$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n4\n1 0 0 0\n2 1 0 0\n3 0 1 0\n4 0 0 1\n$EndNodes\n"
+      "\13COFF 4 3 0 # c\n0 0 0 1\n1 0 0\n0 1 0\n1 1 .5\n3 0 1 2\n4 0 1 3 2 1\n2 0 3\n",
+      "\14$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n4\n1 0 0 0\n2 1 0 0\n3 0 1 0\n4 0 0 1\n$EndNodes\n"
       "$Elements\n2\n1 4 2 1 1 1 2 3 4\n2 1 0 1 2\n$EndElements\n",
-      "\12$MeshFormat\n4.1 0 8\n$EndMeshFormat\n$Nodes\n1 3 1 3\n2 1 0 3\n1\n2\n3\n0 0 0\n1 0 0\n0 1 0\n"
+      "\14$MeshFormat\n4.1 0 8\n$EndMeshFormat\n$Nodes\n1 3 1 3\n2 1 0 3\n1\n2\n3\n0 0 0\n1 0 0\n0 1 0\n"
       "$EndNodes\n$Elements\n1 1 1 1\n2 1 2 1\n1 1 2 3\n$EndElements\n",
-      std::string("\14\x93NUMPY\1\0\73\0", 11) + "{'descr': '|u1', 'fortran_order': False, 'shape': (1, 3), }" +
+      "\16" + gltf,
+      std::string("\16glTF\2\0\0\0", 9) + bytes(20 + gltf.size()) + bytes(gltf.size()) + "JSON" + gltf,
+      std::string("\10\x93NUMPY\1\0\73\0", 11) + "{'descr': '|u1', 'fortran_order': False, 'shape': (1, 3), }" +
           std::string("\0\1\5", 3)};
 }
 

@@ -166,6 +166,31 @@ TEST_CASE("a file may hold several frames, whose elements are in another file") 
   check_refused(mesh({"--topology", twice, run}), "twice.obj: face ");
 }
 
+TEST_CASE("a step ends where velocities lead, and the verdict says so") {
+  const TemporaryFolder folder;
+  const std::string text = "v -9 -9 0\nv 9 -9 0\nv 0 9 0\nv 0 0 1\nf 1 2 3\np 4\n";
+  const std::string frame = folder.write("a.obj", text);
+  const std::string velocity = folder.write("v.npy", npy_of({"v 0 0 0\nv 0 0 0\nv 0 0 0\nv 0 0 -2\n"}, 4));
+  const Run run = mesh({frame, "--velocity", velocity, "--dt", "1", "--report", folder.path("r.json")});
+  CHECK(run.status == 1);
+  CHECK(occurrences(run.out, "a.obj -> v.npy: first contact at t = 0x1p-1 (0.5), 1 pair") == 1);
+  CHECK(verdict(run).ends_with("; the step ends at the positions and 1 times the velocities, rounded to doubles"));
+  CHECK(occurrences(folder.read("r.json"), "\n \"dt\": \"0x1p+0\",\n") == 1);
+  const Run resumed = mesh({frame, "--velocity", velocity, "--dt", "1", "--report", folder.path("r.json"), "--resume"});
+  CHECK(resumed.status == 1);
+  CHECK(mesh({frame, "--velocity", velocity, "--dt", "0.25"}).status == 0);
+  check_refused(mesh({frame, "--velocity", velocity, "--dt", "2", "--report", folder.path("r.json"), "--resume"}),
+                "is about velocities and dt = 1, and this run about velocities and dt = 2");
+  check_refused(mesh({frame, "--velocity", velocity}), "--velocity requires --dt");
+  check_refused(mesh({frame, "--velocity", velocity, "--dt", "x"}), "--dt: x is no finite number");
+  check_refused(mesh({frame, "--velocity", velocity, "--dt", "1", "--check"}), "--check");
+  check_refused(mesh({frame, folder.write("b.obj", text), "--in-order", "--velocity", velocity, "--dt", "1"}),
+                "goes from one frame, and there are 2");
+  const std::string other = folder.write("w.npy", npy_of({"v 0 0 0\n"}, 1));
+  CHECK(mesh({frame, "--velocity", other, "--dt", "1"}).err.find("has 1 velocities of 3 coordinates") !=
+        std::string::npos);
+}
+
 TEST_CASE("the option --check asks about frames at rest, whatever their elements and numbers are") {
   const TemporaryFolder folder;
   const auto files = write_needles(folder, "f", 5, 5, falling_tip);

@@ -94,6 +94,36 @@ TEST_CASE("every frame of an .npy array is read, in either order of bytes and of
   }
 }
 
+TEST_CASE("every frame of a point cache is read") {
+  const TemporaryFolder folder;
+  const auto number = [](std::uint32_t n, std::endian order) { return bytes_of(n, order); };
+  constexpr std::endian kLittle = std::endian::little, kBig = std::endian::big;
+  const std::string pc2 = std::string("POINTCACHE2\0", 12) + number(1, kLittle) + number(7, kLittle) +
+                          bytes_of(0.0f, kLittle) + bytes_of(1.0f, kLittle) + number(5, kLittle);
+  std::string mdd = number(5, kBig) + number(7, kBig);
+  for (int i = 0; i < 5; ++i) mdd += bytes_of(static_cast<float>(i), kBig);
+  const std::string little = values(5, 7, 3, false, kLittle, true), big = values(5, 7, 3, false, kBig, true);
+  const std::string files[] = {folder.write("a.pc2", pc2 + little), folder.write("a.MDD", mdd + big)};
+  for (const std::string& file : files) {
+    CHECK(frame_count(file, {}) == 5);
+    for (std::size_t f = 0; f < 5; ++f) check_frame(read_frame(file, f, {}), f, 7, 3);
+    CHECK_THROWS_WITH(read_frame(file, 5, {}), Contains("no frame 5"));
+  }
+  CHECK(read_frame(files[0], 2, {}).digest == read_frame(files[1], 2, {}).digest);
+  const auto refused = [&](const std::string& name, const std::string& content, const std::string& words) {
+    CHECK_THROWS_WITH(frame_count(folder.write(name, content), {}), Contains(words));
+  };
+  refused("b.pc2", pc2 + little + "x", "5 frames of 84 bytes must make up the file");
+  refused("b.pc2", pc2 + little.substr(1), "must make up the file");
+  refused("b.pc2", pc2.substr(0, 31), "shorter than a header of 32 bytes");
+  refused("b.pc2", "POINTCACHE1" + pc2.substr(11) + little, "does not begin with POINTCACHE2");
+  refused("b.pc2", pc2.substr(0, 12) + number(2, kLittle) + pc2.substr(16) + little, "has version 2");
+  refused("b.mdd", mdd + big.substr(4), "must make up the file");
+  refused("b.mdd", mdd.substr(0, 7), "shorter than a header of 8 bytes");
+  refused("b.mdd", std::string(8, '\0'), "0 frames of 0 vertices");
+  refused("b.mdd", std::string(8, '\xFF'), "must make up the file");
+}
+
 TEST_CASE("an array's coordinates are exact, and loose points without a topology") {
   const TemporaryFolder folder;
   const Frame frame = read_frame(folder.write("a.npy", npy_sample().content), 0, {});

@@ -253,13 +253,62 @@ std::vector<Fault> npy_faults() {
   };
 }
 
+std::vector<Fault> gltf_faults() {
+  const std::string good = sample_called("mesh.gltf").content, binary = sample_called("mesh.glb").content;
+  const auto changed = [&](const std::string& from, const std::string& to) {
+    return Fault{"a.gltf", replaced(good, from, to), ""};
+  };
+  std::vector<Fault> faults = {
+      {"a.gltf", "", ": no JSON"},
+      {"a.gltf", "[]", ": the file"},
+      {"a.gltf", "{}", "asset"},
+      {"a.glb", binary.substr(0, 19), "its header is another one"},
+      {"a.glb", binary + "x", "and says that it has"},
+      {"a.glb", replaced(binary, "JSON", "JSOX"), "does not begin with its JSON"},
+  };
+  const auto add = [&](const std::string& from, const std::string& to, const std::string& message) {
+    faults.push_back(changed(from, to));
+    faults.back().message = message;
+  };
+  add("\"2.0\"", "\"1.0\"", "asset.version: must be 2.x");
+  add("\"scene\":0", "\"scene\":1", "scene: ");
+  add("\"scenes\"", "\"scenery\"", "has no scenes");
+  add("{\"nodes\":[0]}", "{\"nodes\":[0,0]}", "scenes[0].nodes[1]: is a node that is in the scene already");
+  add("\"mesh\":0,\"name\"", "\"children\":[0],\"name\"",
+      "nodes[0].children[0]: is a node that is in the scene already");
+  add("\"mesh\":0", "\"mesh\":0,\"skin\":0", "has a skin");
+  add("\"mesh\":0", "\"mesh\":0,\"weights\":[0,0.5]", "nodes[0].weights[1]: is that of a morph target");
+  add("\"mesh\":0", "\"mesh\":0,\"rotation\":[0,0,0,0]", "nodes[0].rotation: is no quaternion");
+  add("\"mesh\":0", "\"mesh\":0,\"scale\":[1e300,1,1],\"translation\":[1e308,1e308,0]", "not finite");
+  add("\"mesh\":0", "\"mesh\":0,\"matrix\":[1,0,0,1,0,1,0,0,0,0,1,0,0,0,0,1]", "the last row 0 0 0 1");
+  add("\"mesh\":0", "\"mesh\":7", "nodes[0].mesh");
+  add("\"POSITION\":0", "\"POSITIONS\":0", "POSITION");
+  add("\"mode\":1", "\"mode\":7", "mode");
+  add("\"indices\":2,\"mode\":1", "\"indices\":3,\"mode\":1", "has 1 indices, which do not make whole elements");
+  add("5126", "5125", "accessors[0].componentType: must be 5126");
+  add("VEC3", "VEC2", "accessors[0].type: must be VEC3");
+  add("\"count\":6", "\"count\":7", "accessors[0]: reaches beyond its buffer view");
+  add("\"count\":6", "\"count\":5", "has the index 5 of 5 positions");
+  add("\"count\":6", "\"count\":6,\"sparse\":{}", "is sparse or compressed");
+  add("\"byteLength\":72", "\"byteLength\":720", "bufferViews[0]: reaches beyond its buffer");
+  add("\"byteLength\":72", "\"byteLength\":72,\"byteStride\":8", "its stride is none");
+  add("\"byteLength\":108", "\"byteLength\":109", "must have 109 bytes, and has 108");
+  add(";base64,", ";base65,", "must be data:...;base64");
+  add(";base64,", ";base64,?", "must be data:...;base64");
+  add("data:application", "http:application", "must be the name of a file beside");
+  add("data:application", "../x", "must be the name of a file beside");
+  add("{\"asset\"", "{\"extensionsRequired\":[\"KHR_draco_mesh_compression\"],\"asset\"",
+      "is an extension that is not read");
+  return faults;
+}
+
 }  // namespace
 
 TEST_CASE("each fault is an error with its place and reason, on one line") {
   const TemporaryFolder folder;
   std::vector<Fault> faults;
-  for (const auto& list :
-       {obj_faults(), ply_faults(), stl_faults(), vtk_faults(), off_faults(), msh_faults(), npy_faults()}) {
+  for (const auto& list : {obj_faults(), ply_faults(), stl_faults(), vtk_faults(), off_faults(), msh_faults(),
+                           npy_faults(), gltf_faults()}) {
     faults.insert(faults.end(), list.begin(), list.end());
   }
   for (const Fault& fault : faults) {

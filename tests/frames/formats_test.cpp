@@ -70,7 +70,7 @@ TEST_CASE("every format gives the coordinates bit for bit, and the elements") {
     CHECK(frame_count(folder.path(sample.name), {}) == 1);
     CHECK_THROWS_AS(read_frame(folder.path(sample.name), 1, {}), FileError);
   }
-  CHECK(names.size() == 16);
+  CHECK(names.size() == 19);
 }
 
 TEST_CASE("the ending of a name says the format in either case") {
@@ -218,6 +218,57 @@ TEST_CASE("many corners of an STL file are merged as their coordinates say") {
     const auto a = static_cast<double>(i / kSide), b = static_cast<double>(i % kSide);
     REQUIRE((x(0, 0) == a && x(0, 1) == b && x(1, 0) == a + 1 && x(1, 1) == b && x(2, 0) == a && x(2, 1) == b + 1));
   }
+}
+
+TEST_CASE("the nodes of a glTF file are parts at their places, and mirrors turn faces round") {
+  const TemporaryFolder folder;
+  std::string buffer;
+  for (const float x : {0.f, 0.f, 0.f, 1.f, 0.f, 0.f, 0.f, 2.f, 0.f, 0.f, 0.f, 3.f}) {
+    buffer += bytes_of(x, std::endian::little);
+  }
+  folder.write("with blank.bin", buffer);
+  const auto file = [&](const std::string& nodes, const std::string& primitive, const std::string& more = "") {
+    return folder.write(
+        "a.gltf", R"({"asset":{"version":"2.0"},"scenes":[{"nodes":[]},{"nodes":[0]}],"scene":1,"nodes":)" + nodes +
+                      R"(,"meshes":[{"name":"m","primitives":[{"attributes":{"POSITION":0})" + primitive +
+                      R"(}]}],"accessors":[{"bufferView":0,"componentType":5126,"count":4,"type":"VEC3"}],)"
+                      R"("bufferViews":[{"buffer":0,"byteLength":48}],"buffers":[{"byteLength":48,)"
+                      R"("uri":"with%20blank.bin"}])" +
+                      more + "}");
+  };
+  const std::string strip = R"(,"mode":5)";
+  const Frame frame = read_frame(
+      file(R"([{"children":[1,2,3],"translation":[10,0,0]},{"mesh":0,"name":"one"},{"mesh":0,"scale":[1,-1,1]},)"
+           R"({"mesh":0,"matrix":[0,1,0,0,-1,0,0,0,0,0,1,0,5,6,7,1],"children":[4]},)"
+           R"({"name":"one","mesh":0,"rotation":[0,0,1,1]}])",
+           strip, R"(,"animations":[{},{}])"),
+      0, {});
+  const Topology& topology = *frame.topology;
+  CHECK(topology.parts == std::vector<std::string>{"one", "m", "m node 3", "one node 4"});
+  CHECK(topology.animations == 2);
+  CHECK(topology.vertex_count == 16);
+  CHECK(topology.faces ==
+        Faces{{0, 1, 2}, {1, 3, 2}, {4, 6, 5}, {5, 6, 7}, {8, 9, 10}, {9, 11, 10}, {12, 13, 14}, {13, 15, 14}});
+  CHECK(topology.face_parts == std::vector<std::uint32_t>{0, 0, 1, 1, 2, 2, 3, 3});
+  const auto at = [&](std::size_t vertex) {
+    return std::vector<double>(frame.positions.begin() + 3 * static_cast<int>(vertex),
+                               frame.positions.begin() + 3 * static_cast<int>(vertex) + 3);
+  };
+  CHECK(at(1) == std::vector<double>{11, 0, 0});
+  CHECK(at(6) == std::vector<double>{10, -2, 0});
+  CHECK(at(9) == std::vector<double>{15, 7, 7});   // x turns to y
+  CHECK(at(10) == std::vector<double>{13, 6, 7});  // y to -x
+  CHECK(at(13) == std::vector<double>{14, 6, 7});  // a turn by 90 degrees in one by 90 degrees
+  CHECK(at(15) == std::vector<double>{15, 6, 10});
+
+  const std::string node = R"([{"mesh":0}])";
+  CHECK(read_frame(file(node, R"(,"mode":6)"), 0, {}).topology->faces == Faces{{1, 2, 0}, {2, 3, 0}});
+  CHECK(read_frame(file(node, R"(,"mode":2)"), 0, {}).topology->edges == Edges{{0, 1}, {1, 2}, {2, 3}, {3, 0}});
+  CHECK(read_frame(file(node, R"(,"mode":3)"), 0, {}).topology->edges.size() == 3);
+  CHECK(read_frame(file(node, R"(,"mode":0)"), 0, {}).topology->points.size() == 4);
+  const std::string before = read_frame(file(node, strip), 0, {}).digest;
+  folder.write("with blank.bin", buffer.substr(4) + buffer.substr(0, 4));
+  CHECK(read_frame(file(node, strip), 0, {}).digest != before);
 }
 
 TEST_CASE("a frame with the topology of an earlier one shares it") {

@@ -10,8 +10,8 @@
 
 #include <touchstone/error.hpp>
 
+#include "frames/arrays/hdf5_queries.hpp"
 #include "frames/hdf5_dataset.hpp"
-#include "frames/hdf5_queries.hpp"
 #include "io/queries/hdf5_layout.hpp"
 #include "io/temporary_folder.hpp"
 #include "support/catch.hpp"

@@ -14,7 +14,7 @@
 
 #include <touchstone/error.hpp>
 
-#include "frames/reading_process.hpp"
+#include "frames/arrays/reading_process.hpp"
 #include "support/catch.hpp"
 
 using namespace touchstone;

@@ -172,7 +172,69 @@ Sample msh4() {
           false, true, true};
 }
 
+/// Positions, then indices of faces, of the edge and of the point. One node, whose three primitives share positions.
+/// @param uri  of the buffer: a key and a value, or nothing
+std::string gltf_json(int index_type, std::size_t index_size, const std::string& uri) {
+  const auto offset = [&](std::size_t index) { return std::to_string(72 + index * index_size); };
+  const auto accessor = [&](std::size_t first, int count) {
+    return R"({"bufferView":1,"byteOffset":)" + std::to_string(first * index_size) + R"(,"componentType":)" +
+           std::to_string(index_type) + R"(,"count":)" + std::to_string(count) + R"(,"type":"SCALAR"})";
+  };
+  return R"({"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],"nodes":[{"mesh":0,"name":"n"}],)"
+         R"("meshes":[{"primitives":[{"attributes":{"POSITION":0,"NORMAL":0},"indices":1},)"
+         R"({"attributes":{"POSITION":0},"indices":2,"mode":1},{"attributes":{"POSITION":0},"indices":3,"mode":0}]}],)"
+         R"("accessors":[{"bufferView":0,"componentType":5126,"count":6,"type":"VEC3"},)" +
+         accessor(0, 6) + "," + accessor(6, 2) + "," + accessor(8, 1) +
+         R"(],"bufferViews":[{"buffer":0,"byteLength":72},{"buffer":0,"byteOffset":72,"byteLength":)" +
+         std::to_string(9 * index_size) + R"(}],"buffers":[{)" + uri + R"("byteLength":)" + offset(9) + "}]}";
+}
+
+template <class Index>
+std::string gltf_buffer() {
+  std::string bytes;
+  for (const double x : kFloats) bytes += bytes_of(static_cast<float>(x), std::endian::little);
+  for (const int i : {0, 1, 2, 0, 2, 3, 3, 4, 5}) bytes += bytes_of(static_cast<Index>(i), std::endian::little);
+  return bytes;
+}
+
+Sample gltf_embedded() {
+  const std::string uri =
+      R"("uri":"data:application/octet-stream;base64,)" + base64(gltf_buffer<std::uint32_t>()) + "\",";
+  return {"mesh.gltf", gltf_json(5125, 4, uri), true, true, true};
+}
+
+Sample gltf_binary() {
+  return {"mesh.glb", glb(gltf_json(5121, 1, ""), gltf_buffer<std::uint8_t>()), true, true, true};
+}
+
+Sample gltf_of_short_indices() {
+  return {"short.glb", glb(gltf_json(5123, 2, ""), gltf_buffer<std::uint16_t>()), true, true, true};
+}
+
 }  // namespace
+
+std::string base64(std::string_view bytes) {
+  constexpr std::string_view kDigits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::string text;
+  for (std::size_t i = 0; i < bytes.size(); i += 3) {
+    std::uint32_t bits = 0;
+    for (std::size_t k = 0; k < 3; ++k) {
+      bits = bits << 8 | (i + k < bytes.size() ? static_cast<unsigned char>(bytes[i + k]) : 0u);
+    }
+    for (std::size_t k = 0; k < 4; ++k) {
+      text += i + k <= bytes.size() ? kDigits[bits >> (18 - 6 * k) & 63] : '=';
+    }
+  }
+  return text;
+}
+
+std::string glb(std::string json, std::string buffer) {
+  json.resize((json.size() + 3) / 4 * 4, ' ');
+  buffer.resize((buffer.size() + 3) / 4 * 4, '\0');
+  const auto number = [](std::size_t n) { return bytes_of(static_cast<std::uint32_t>(n), std::endian::little); };
+  return "glTF" + number(2) + number(28 + json.size() + buffer.size()) + number(json.size()) + "JSON" + json +
+         number(buffer.size()) + std::string("BIN\0", 4) + buffer;
+}
 
 std::string decimal(double value) {
   std::array<char, 40> text;
@@ -196,7 +258,10 @@ std::vector<Sample> mesh_samples() {
           off(),
           off_of_colours(),
           msh2(),
-          msh4()};
+          msh4(),
+          gltf_embedded(),
+          gltf_binary(),
+          gltf_of_short_indices()};
 }
 
 std::string npy(std::string_view descr, bool fortran, std::string_view shape, const std::string& values, int version) {

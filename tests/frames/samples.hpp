@@ -59,6 +59,12 @@ std::string bytes_of(Number number, std::endian order) {
 /// 17 significant digits, as printf writes them, which say every double.
 std::string decimal(double value);
 
+/// In base64.
+std::string base64(std::string_view bytes);
+
+/// A .glb file of this JSON and buffer.
+std::string glb(std::string json, std::string buffer);
+
 /// The mesh in every format that holds elements, and in several versions of them. All are valid.
 std::vector<Sample> mesh_samples();
 

@@ -52,7 +52,7 @@ def test_elements_in_no_part_collide_between_parts(tmp_path):
 
 
 def test_what_is_no_mesh_is_refused(tmp_path):
-    for name, text, words in [("a.obj", "f 1 2 3\n", "vertex 3 does not exist"), ("a.npy", "", "numpy.load"),
+    for name, text, words in [("a.obj", "f 1 2 3\n", "vertex 3 does not exist"), ("a.npy", "", "which NumPy or h5py reads"),
                               ("a.xyz", "", "meshio convert"), ("a.off", "OFF 1 0 0\n0 0 nan\n", "no finite number"),
                               ("q.off", "OFF 4 1 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n4 0 1 2 3\n", "has 4 corners"),
                               ("d.off", "OFF 3 1 0\n0 0 0\n1 0 0\n1 1 0\n3 0 1 1\n", "twice")]:

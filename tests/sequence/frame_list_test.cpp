@@ -13,6 +13,7 @@
 
 using namespace touchstone;
 using namespace touchstone::sequence;
+using Catch::Contains;
 using touchstone::tests::TemporaryFolder;
 
 namespace {
@@ -120,6 +121,21 @@ TEST_CASE("a pattern is expanded, unless it is the name of a file") {
   CHECK(expand_patterns({folder.path("[x].obj")}) == NameList{folder.path("[x].obj")});
   CHECK(expand_patterns({"no such file", "-"}) == NameList{"no such file", "-"});
   CHECK_THROWS_AS(expand_patterns({folder.path("g-*.obj")}), FileError);
+}
+
+TEST_CASE("a folder stands for the mesh files in it, which are of one format") {
+  const TemporaryFolder folder;
+  for (const char* name :
+       {"r [1]/f-1.obj", "r [1]/f-2.obj", "r [1]/notes.txt", "r [1]/.hidden.obj", "r [1]/f-3.obj/x"}) {
+    folder.write(name, "");
+  }
+  const std::string run = folder.path("r [1]");
+  CHECK(expand_patterns({run}) == NameList{run + "/f-1.obj", run + "/f-2.obj"});
+  CHECK(expand_patterns({run + "/"}) == NameList{run + "/f-1.obj", run + "/f-2.obj"});
+  folder.write("r [1]/a.PLY", "");
+  CHECK_THROWS_WITH(expand_patterns({run}), Contains("frames of several formats (1 .PLY, 2 .obj)"));
+  folder.write("none/notes.txt", "");
+  CHECK_THROWS_WITH(expand_patterns({folder.path("none")}), Contains("is a folder without mesh files"));
 }
 
 TEST_CASE("the label of a frame is one line of valid UTF-8") {

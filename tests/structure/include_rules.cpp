@@ -22,7 +22,7 @@ const LayerTable& layer_table() {
       {"families", {"geometry", "seeded"}},
       {"broad_phase", {"threads"}},
       {"mesh", {"solver", "broad_phase", "filters", "threads", "geometry", "numbers"}},
-      {"frames", {"io", "mesh"}},
+      {"frames", {"io", "json", "mesh"}},
       {"dropin", {"solver"}},
       {"c_api", {"solver", "mesh"}},
       {"python", {"solver", "exact", "fuzz", "mesh", "proofs", "view", "io", "frames", "threads", "geometry"}},

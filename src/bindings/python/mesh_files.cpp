@@ -23,8 +23,8 @@ py::array array_of(const Rows& rows, py::ssize_t width) {
 
 frames::MeshFile read(const std::string& file, bool triangulate) {
   const frames::Format format = frames::format_of(file);
-  if (format == frames::Format::npy || format == frames::Format::hdf5) {
-    throw FileError(file + ": holds arrays; numpy.load or h5py reads it, and Mesh takes the elements");
+  if (format >= frames::Format::npy) {
+    throw FileError(file + ": holds positions without elements, which NumPy or h5py reads; Mesh takes the elements");
   }
   const io::WholeFile content = frames::read_content(file, nullptr);
   return frames::read_mesh(format, file, content.bytes(), triangulate);

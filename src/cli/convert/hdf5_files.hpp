@@ -8,7 +8,7 @@
 #include <string>
 
 #include "cli/shared/inputs.hpp"
-#include "frames/hdf5_queries.hpp"
+#include "frames/arrays/hdf5_queries.hpp"
 
 namespace touchstone::cli {
 

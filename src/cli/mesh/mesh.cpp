@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <future>
 #include <memory>
@@ -21,6 +22,8 @@
 #include "cli/shared/proofs/motion_proofs.hpp"
 #include "cli/shared/words.hpp"
 #include "io/fail.hpp"
+#include "io/sha256.hpp"
+#include "io/times.hpp"
 #include "sequence/checks.hpp"
 #include "sequence/element_names.hpp"
 #include "sequence/frame_list.hpp"
@@ -44,6 +47,15 @@ std::vector<FrameName> frames_to_check(const MeshRunOptions& options, const fram
   });
   if (options.check || !moves) sequence::refuse_repeats(files);
   if (options.check && names.empty()) throw Error("there is no frame in these files");
+  if (!options.velocity.empty()) {
+    if (names.size() != 1) {
+      throw Error(
+          fmt::format("--velocity: goes from one frame, and there are {}; without it each step goes from frame "
+                      "to frame",
+                      names.size()));
+    }
+    names.push_back({options.velocity});
+  }
   if (!options.check && names.size() < 2) {
     throw Error(fmt::format("a step needs two frames, and there {} only {}; --check asks about frames at rest",
                             names.size() == 1 ? "is" : "are", names.size()));
@@ -98,6 +110,7 @@ sequence::Heading heading_for(const MeshRunOptions& options, const std::vector<F
   if (heading.separation.distance == 0 && !heading.clearance) {
     heading.separation.metric = Metric::euclidean;  // it has no meaning
   }
+  if (!options.velocity.empty()) heading.dt = options.dt;
   heading.frame_count = names.size();
   std::vector<std::string> labels;
   for (const auto& name : names) labels.push_back(name.label());
@@ -249,6 +262,28 @@ std::shared_ptr<const Frame> read(const FrameName& name, const frames::ReadOptio
   return frame;
 }
 
+/// The frame after the time dt: each coordinate is rounded once.
+std::shared_ptr<const Frame> moved(const Frame& start, const FrameName& velocities, double dt,
+                                   const frames::ReadOptions& reading) {
+  frames::ReadOptions array;
+  array.dataset = reading.dataset;
+  array.checkpoint = reading.checkpoint;
+  const Frame velocity = frames::read_frame(velocities.file, 0, array);
+  const std::size_t vertices = start.topology->vertex_count;
+  if (velocity.topology->vertex_count != vertices || velocity.topology->dimension != start.topology->dimension) {
+    io::fail(velocities.file, fmt::format("has {} velocities of {} coordinates; the frame has {} vertices of {}",
+                                          velocity.topology->vertex_count, velocity.topology->dimension, vertices,
+                                          start.topology->dimension));
+  }
+  auto frame = std::make_shared<Frame>(start);
+  for (std::size_t i = 0; i < frame->positions.size(); ++i) {
+    frame->positions[i] = std::fma(dt, velocity.positions[i], frame->positions[i]);
+  }
+  frame->digest = io::sha256(fmt::format("{} {} {}", start.digest, velocity.digest, io::hexfloat(dt)));
+  sequence::check_positions(*frame, velocities);
+  return frame;
+}
+
 }  // namespace
 
 int run_mesh(const MeshRunOptions& options) {
@@ -295,7 +330,10 @@ int run_mesh(const MeshRunOptions& options) {
     throw_if_interrupted();
     std::future<std::shared_ptr<const Frame>> next;
     if (index + 1 < range.last) {
-      next = std::async(policy, [&, index] { return read(names[index + 1], reading, first->topology, repairs); });
+      next = std::async(policy, [&, index] {
+        return options.velocity.empty() ? read(names[index + 1], reading, first->topology, repairs)
+                                        : moved(*first, names[index + 1], options.dt, reading);
+      });
     }
     checker.take(index, std::move(frame));
     if (next.valid()) frame = next.get();

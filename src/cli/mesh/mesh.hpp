@@ -27,6 +27,8 @@ struct MeshRunOptions {
   std::string html;  ///< the page to write; empty: none
   bool resume = false;
   std::string topology, dataset;
+  std::string velocity;  ///< the file of velocities that say the second frame; empty: none
+  double dt = 0;
   bool triangulate = false;
 };
 

@@ -6,6 +6,8 @@
 
 #include "cli/mesh/mesh.hpp"
 #include "cli/shared/command_line/common_options.hpp"
+#include "cli/shared/words.hpp"
+#include "io/times.hpp"
 
 namespace touchstone::cli {
 namespace {
@@ -27,8 +29,10 @@ void add_mesh(CLI::App& program, Command& command) {
   CLI::App* const subcommand =
       program.add_subcommand("mesh", "Check an animation: is each step between its frames free of contact?");
   subcommand
-      ->add_option("FRAME", options->files,
-                   "Mesh files, one a frame, or files with several frames. A pattern in quotes is expanded")
+      ->add_option(
+          "FRAME", options->files,
+          "Mesh files, one a frame, or files with several frames. A folder stands for the mesh files in it, and a "
+          "pattern in quotes is expanded")
       ->required()
       ->type_name("");
   CLI::Option* const check = subcommand->add_flag(
@@ -119,10 +123,28 @@ void add_mesh(CLI::App& program, Command& command) {
       ->add_option("--topology", options->topology,
                    "The file with the elements of the mesh, for frames that hold positions only")
       ->type_name("FILE");
+  CLI::Option* const velocity =
+      subcommand
+          ->add_option("--velocity", options->velocity,
+                       "An array of the vertices' velocities, (vertices, 3): the step goes from the one FRAME to its "
+                       "positions and DT times the velocities, rounded to doubles")
+          ->type_name("FILE")
+          ->excludes(check);
+  CLI::Option* const dt =
+      subcommand
+          ->add_option_function<std::string>(
+              "--dt", [options](const std::string& text) { options->dt = *io::parse_finite_double(text); },
+              "The time of that step")
+          ->type_name("DT")
+          ->needs(velocity)
+          ->check([](const std::string& text) {
+            return io::parse_finite_double(text) ? std::string() : text + fault_of_number(text);
+          });
+  velocity->needs(dt);
   subcommand->add_option("--dataset", options->dataset, "The name of the data set in HDF5 files")->type_name("NAME");
   subcommand->add_flag("--triangulate", options->triangulate,
                        "Cut polygons of more than three corners into triangles that share the first corner");
-  for (const char* name : {"--report", "--pairs", "--queries", "--html", "--prove", "--topology"}) {
+  for (const char* name : {"--report", "--pairs", "--queries", "--html", "--prove", "--topology", "--velocity"}) {
     subcommand->get_option(name)->check(not_empty);
   }
   subcommand->footer(

@@ -15,26 +15,35 @@ io::WholeFile read_content(const std::string& file, io::InputFile::Checkpoint ch
   return io::WholeFile::read(file, limits, checkpoint);
 }
 
-Format format_of(const std::string& file) {
-  constexpr std::array<std::pair<std::string_view, Format>, 9> kEndings = {{{".obj", Format::obj},
-                                                                            {".ply", Format::ply},
-                                                                            {".stl", Format::stl},
-                                                                            {".vtk", Format::vtk},
-                                                                            {".off", Format::off},
-                                                                            {".msh", Format::msh},
-                                                                            {".npy", Format::npy},
-                                                                            {".h5", Format::hdf5},
-                                                                            {".hdf5", Format::hdf5}}};
+std::optional<Format> known_format_of(const std::string& file) {
+  constexpr std::array<std::pair<std::string_view, Format>, 13> kEndings = {{{".obj", Format::obj},
+                                                                             {".ply", Format::ply},
+                                                                             {".stl", Format::stl},
+                                                                             {".vtk", Format::vtk},
+                                                                             {".off", Format::off},
+                                                                             {".msh", Format::msh},
+                                                                             {".gltf", Format::gltf},
+                                                                             {".glb", Format::gltf},
+                                                                             {".npy", Format::npy},
+                                                                             {".h5", Format::hdf5},
+                                                                             {".hdf5", Format::hdf5},
+                                                                             {".pc2", Format::pc2},
+                                                                             {".mdd", Format::mdd}}};
   const std::string_view name = file;
   for (const auto& [ending, format] : kEndings) {
     if (name.size() >= ending.size() && equal_but_for_case(name.substr(name.size() - ending.size()), ending)) {
       return format;
     }
   }
-  io::fail(
-      file,
-      "has an ending that is not known; right are .obj, .ply, .stl, .vtk, .off, .msh, .npy, .h5 and .hdf5; meshio, a "
-      "program of its own, makes one of another: meshio convert a.x a.ply");
+  return std::nullopt;
+}
+
+Format format_of(const std::string& file) {
+  if (const auto format = known_format_of(file)) return *format;
+  io::fail(file,
+           "has an ending that is not known; right are .obj, .ply, .stl, .vtk, .off, .msh, .gltf, .glb, .npy, .h5, "
+           ".hdf5, .pc2 and "
+           ".mdd; meshio, a program of its own, makes one of another: meshio convert a.x a.ply");
 }
 
 }  // namespace touchstone::frames

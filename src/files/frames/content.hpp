@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 
 #include "io/whole_file.hpp"
@@ -18,9 +19,12 @@ inline constexpr io::FileLimits kMeshLimits{std::uint64_t{1} << 36, std::uint64_
 ///                    of the length of a line
 io::WholeFile read_content(const std::string& file, io::InputFile::Checkpoint checkpoint);
 
-enum class Format : std::uint8_t { obj, ply, stl, vtk, off, msh, npy, hdf5 };
+enum class Format : std::uint8_t { obj, ply, stl, vtk, off, msh, gltf, npy, hdf5, pc2, mdd };
 
-/// The format that the ending of the name says, in upper or lower case. @throws FileError  for other endings
+/// The format that the ending of the name says, in upper or lower case; nothing for other endings.
+std::optional<Format> known_format_of(const std::string& file);
+
+/// The same. @throws FileError  for other endings
 Format format_of(const std::string& file);
 
 }  // namespace touchstone::frames

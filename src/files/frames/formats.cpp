@@ -34,10 +34,13 @@ MeshFile read_mesh(Format format, std::string_view file, std::string_view conten
     case Format::vtk: return read_vtk(file, content, triangulate);
     case Format::off: return read_off(file, content, triangulate);
     case Format::msh: return read_msh(file, content, triangulate);
+    case Format::gltf: return read_gltf(file, content);
     case Format::npy:
-    case Format::hdf5: break;
+    case Format::hdf5:
+    case Format::pc2:
+    case Format::mdd: break;
   }
-  io::fail(file, "is no mesh file; right are .obj, .ply, .stl, .vtk, .off and .msh");
+  io::fail(file, "is no mesh file; right are .obj, .ply, .stl, .vtk, .off, .msh, .gltf and .glb");
 }
 
 Topology topology_from(const std::string& file, std::string_view content, const ArrayShape& shape, bool triangulate) {

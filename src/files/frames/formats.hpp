@@ -5,7 +5,7 @@
 
 #include <string_view>
 
-#include "frames/array.hpp"
+#include "frames/arrays/array.hpp"
 #include "frames/content.hpp"
 #include "frames/mesh_builder.hpp"
 
@@ -20,6 +20,7 @@ MeshFile read_stl(std::string_view file, std::string_view content);
 MeshFile read_vtk(std::string_view file, std::string_view content, bool triangulate);
 MeshFile read_off(std::string_view file, std::string_view content, bool triangulate);
 MeshFile read_msh(std::string_view file, std::string_view content, bool triangulate);
+MeshFile read_gltf(std::string_view file, std::string_view content);
 
 /// Calls the function of the format, which is no array.
 MeshFile read_mesh(Format format, std::string_view file, std::string_view content, bool triangulate);

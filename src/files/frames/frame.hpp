@@ -39,6 +39,8 @@ struct Topology {
   std::size_t welded_vertices = 0;   ///< those that elements of the file name, and others stand for (sequence::Repairs)
   std::size_t dropped_elements = 0;  ///< the faces and edges of the file that were left out
 
+  std::size_t animations = 0;  ///< those of the file, which are not read
+
   bool operator==(const Topology& other) const = default;
 };
 
@@ -65,7 +67,7 @@ struct ReadOptions {
 std::size_t frame_count(const std::string& file, const ReadOptions& options);
 
 /// Reads a frame. Several threads may read at the same time. The name's ending says the format: .obj, .ply, .stl, .vtk,
-/// .off, .msh, .npy, .h5 and .hdf5.
+/// .off, .msh, .gltf, .glb, .npy, .h5, .hdf5, .pc2 and .mdd.
 /// @param file     the file
 /// @param index    which frame of it, below frame_count
 /// @param options  how it is read

@@ -17,6 +17,7 @@ namespace touchstone::frames {
 struct MeshFile {
   Topology topology;
   std::vector<double> positions;
+  std::string beside = {};  ///< the digests of other files that it is made of
 };
 
 /// Where a fault is.

@@ -8,7 +8,7 @@
 #include <cstring>
 #include <mutex>
 
-#include "frames/array.hpp"
+#include "frames/arrays/array.hpp"
 #include "frames/content.hpp"
 #include "frames/formats.hpp"
 #include "io/fail.hpp"
@@ -21,7 +21,7 @@ bool is_mesh_format(Format format) { return format < Format::npy; }
 
 void check_options(const std::string& file, Format format, const ReadOptions& options) {
   if (is_mesh_format(format) && !options.topology_file.empty()) {
-    io::fail(file, "has elements of its own; a topology file is for .npy, .h5 and .hdf5");
+    io::fail(file, "has elements of its own; a topology file is for .npy, .h5, .hdf5, .pc2 and .mdd");
   }
   if (format != Format::hdf5 && !options.dataset.empty()) {
     io::fail(file, "has no data sets with names; they are for .h5 and .hdf5");
@@ -104,13 +104,24 @@ Frame frame_of(const std::string& file, std::size_t index, ArrayFrame array, con
   return {std::move(shared.topology), std::move(array.positions), std::move(digest)};
 }
 
+ArrayShape shape_of(Format format, const std::string& file, const ReadOptions& options) {
+  if (format == Format::npy) return npy_shape(file, options);
+  if (format == Format::hdf5) return hdf5_shape(file, options);
+  return cache_shape(file, format == Format::pc2 ? PointCache::pc2 : PointCache::mdd, options);
+}
+
+ArrayFrame read_array_frame(Format format, const std::string& file, std::size_t index, const ReadOptions& options) {
+  if (format == Format::npy) return read_npy_frame(file, index, options);
+  if (format == Format::hdf5) return read_hdf5_frame(file, index, options);
+  return read_cache_frame(file, format == Format::pc2 ? PointCache::pc2 : PointCache::mdd, index, options);
+}
+
 }  // namespace
 
 std::size_t frame_count(const std::string& file, const ReadOptions& options) {
   const Format format = format_of(file);
   check_options(file, format, options);
-  if (format == Format::npy) return npy_shape(file, options).frames;
-  if (format == Format::hdf5) return hdf5_shape(file, options).frames;
+  if (!is_mesh_format(format)) return shape_of(format, file, options).frames;
   io::InputFile::check(file);
   return 1;
 }
@@ -120,16 +131,15 @@ Frame read_frame(const std::string& file, std::size_t index, const ReadOptions& 
   const Format format = format_of(file);
   check_options(file, format, options);
   Frame frame;
-  if (format == Format::npy) {
-    frame = frame_of(file, index, read_npy_frame(file, index, options), options);
-  } else if (format == Format::hdf5) {
-    frame = frame_of(file, index, read_hdf5_frame(file, index, options), options);
+  if (!is_mesh_format(format)) {
+    frame = frame_of(file, index, read_array_frame(format, file, index, options), options);
   } else {
     if (index != 0) io::fail(file, "has one frame, and no frame " + std::to_string(index));
     const io::WholeFile content = read_content(file, options.checkpoint);
     MeshFile mesh = read_mesh(format, file, content.bytes(), options.triangulate);
-    frame = {std::make_shared<const Topology>(std::move(mesh.topology)), std::move(mesh.positions),
-             io::sha256(content.bytes())};
+    std::string digest = io::sha256(content.bytes());
+    if (!mesh.beside.empty()) digest = io::sha256(digest + mesh.beside);
+    frame = {std::make_shared<const Topology>(std::move(mesh.topology)), std::move(mesh.positions), std::move(digest)};
   }
   if (earlier != nullptr && (earlier == frame.topology || *earlier == *frame.topology)) frame.topology = earlier;
   return frame;

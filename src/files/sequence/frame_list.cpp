@@ -16,6 +16,7 @@
 #include <string_view>
 #include <system_error>
 
+#include "frames/content.hpp"
 #include "io/fail.hpp"
 #include "io/sha256.hpp"
 
@@ -182,6 +183,35 @@ std::vector<std::string> matches_of(const std::string& pattern) {
   return files;
 }
 
+/// The name as a pattern that matches nothing else.
+std::string escaped(const std::string& name) {
+  std::string pattern;
+  for (const char c : name) {
+    if (std::string_view("*?[\\").find(c) != std::string_view::npos) pattern += '\\';
+    pattern += c;
+  }
+  return pattern;
+}
+
+/// The frames of a folder: its files of one format, in the order of their names. Other files in it are no frames.
+std::vector<std::string> frames_in(std::string folder) {
+  while (folder.size() > 1 && folder.ends_with('/')) folder.pop_back();
+  std::map<std::string, std::vector<std::string>> by_ending;
+  for (const std::string& file : matches_of(escaped(folder) + "/*")) {
+    std::error_code ignored;
+    if (!frames::known_format_of(file) || std::filesystem::is_directory(file, ignored)) continue;
+    by_ending[std::filesystem::path(file).extension().string()].push_back(file);
+  }
+  if (by_ending.empty()) io::fail(folder, "is a folder without mesh files");
+  if (by_ending.size() == 1) return by_ending.begin()->second;
+  std::string endings;
+  for (const auto& [ending, files] : by_ending) {
+    endings += fmt::format("{}{} {}", endings.empty() ? "" : ", ", files.size(), io::printable(ending));
+  }
+  io::fail(folder, fmt::format("is a folder with frames of several formats ({}); name those of one, such as '{}/*{}'",
+                               endings, io::printable(folder), io::printable(by_ending.begin()->first)));
+}
+
 }  // namespace
 
 std::string FrameName::label() const {
@@ -200,6 +230,11 @@ std::vector<std::string> expand_patterns(const std::vector<std::string>& argumen
   std::vector<std::string> files;
   for (const auto& argument : arguments) {
     std::error_code ignored;
+    if (std::filesystem::is_directory(argument, ignored)) {
+      const auto found = frames_in(argument);
+      files.insert(files.end(), found.begin(), found.end());
+      continue;
+    }
     const bool pattern = argument.find_first_of("*?[") != std::string::npos;
     if (!pattern || std::filesystem::exists(argument, ignored)) {
       files.push_back(argument);

@@ -24,9 +24,10 @@ struct FrameName {
   std::string label() const;
 };
 
-/// The files of the arguments. An argument that is no file, and has one of the characters * ? [, is replaced by the
-/// files that it matches.
-/// @throws FileError  for a pattern that matches nothing
+/// The files of the arguments. A folder is replaced by its files of one format, and an argument that is no file, and
+/// has one of the characters * ? [, by the files that it matches.
+/// @throws FileError  for a pattern that matches nothing, and a folder without mesh files or with those of several
+///                    formats
 std::vector<std::string> expand_patterns(const std::vector<std::string>& arguments);
 
 /// Whether both name one file, by whatever spellings of its path. A link with a name of its own is another file: some

@@ -55,6 +55,7 @@ std::string json_of(const MeshFacts& facts) {
       facts.neighbours, facts.polygons, facts.branching, facts.joined);
   if (facts.welded > 0) text += fmt::format(", \"welded_vertices\": {}", facts.welded);
   if (facts.dropped > 0) text += fmt::format(", \"dropped_elements\": {}", facts.dropped);
+  if (facts.animations > 0) text += fmt::format(", \"animations_not_read\": {}", facts.animations);
   return text + "}";
 }
 
@@ -81,6 +82,7 @@ std::string heading_json(const Heading& heading) {
   }
   if (!heading.parts.empty()) text += ",\n " + json_of(heading.parts);
   if (heading.clearance) text += ",\n \"clearance\": true";
+  if (heading.dt) text += fmt::format(",\n \"dt\": \"{}\"", io::hexfloat(*heading.dt));
   if (heading.facts) text += ",\n " + json_of(*heading.facts);
   return text;
 }
@@ -131,6 +133,12 @@ std::string difference_of(const Heading& a, const Heading& b, std::string_view o
   if (a.clearance != b.clearance) {
     return differ(a.clearance ? "the least distance, too" : "contacts alone",
                   b.clearance ? "the least distance, too" : "contacts alone");
+  }
+  if (a.dt != b.dt) {
+    const auto shown = [](const std::optional<double>& dt) {
+      return dt ? fmt::format("velocities and dt = {}", *dt) : std::string("frames alone");
+    };
+    return differ(shown(a.dt), shown(b.dt));
   }
   if (a.frame_count != b.frame_count) {
     return differ(fmt::format("{} frames", a.frame_count), fmt::format("{} frames", b.frame_count));

@@ -27,7 +27,7 @@ constexpr std::uint64_t kMostPairs = std::uint64_t{1} << 63;
 MeshFacts facts_from(const JsonNode& node) {
   node.check_keys({"sha256", "dimension", "vertices", "faces", "edges", "points", "idle_vertices",
                    "pairs_with_common_vertex", "closed_polygons", "branching_surfaces", "joined_vertices",
-                   "welded_vertices", "dropped_elements"});
+                   "welded_vertices", "dropped_elements", "animations_not_read"});
   const auto count = [&](const char* key) {
     return static_cast<std::size_t>(node.at(key).whole_number(0, kMostElements));
   };
@@ -45,6 +45,7 @@ MeshFacts facts_from(const JsonNode& node) {
   facts.joined = count("joined_vertices");
   if (const auto welded = node.find("welded_vertices")) facts.welded = welded->whole_number(1, facts.vertices);
   if (const auto dropped = node.find("dropped_elements")) facts.dropped = dropped->whole_number(1, kMostElements);
+  if (const auto all = node.find("animations_not_read")) facts.animations = all->whole_number(1, kMostElements);
   return facts;
 }
 
@@ -102,6 +103,10 @@ Heading heading_of(const JsonNode& root) {
     heading.clearance = clearance->boolean();
     if (!heading.clearance) clearance->fail("must be true, or not be there");
   }
+  if (const auto dt = root.find("dt")) {
+    heading.dt = io::parse_finite_double(dt->text());
+    if (!heading.dt || !steps || heading.frame_count != 2) dt->fail("must be a hexfloat, and beside two frames");
+  }
   if (steps || root.has("mesh")) heading.facts = facts_from(root.at("mesh"));
   return heading;
 }
@@ -124,7 +129,8 @@ Report report_from(std::string_view text) {
   const json::JsonDocument document = json::parse_json(text);
   const JsonNode root(document.value(), "the report");
   root.check_keys({"sha256", "touchstone_mesh", "touchstone", "question", "separation", "metric", "frame_count",
-                   "names_sha256", "shard", "parts", "clearance", "mesh", "frames", "results", "counts", "warnings"});
+                   "names_sha256", "shard", "parts", "clearance", "dt", "mesh", "frames", "results", "counts",
+                   "warnings"});
   Report report;
   report.heading = heading_of(root);
   const Question question = report.heading.question;

@@ -174,6 +174,7 @@ struct MeshFacts {
   std::size_t branching = 0;   ///< surfaces with an edge of three faces or more: what is inside what is not known there
   std::size_t joined = 0;      ///< vertices at which the reader joined solids: no one asks whether they touch there
   std::size_t welded = 0;      ///< vertices for which others at the same positions stand, on request
+  std::size_t animations = 0;  ///< of the file, which are not read
   std::size_t dropped = 0;     ///< faces and edges of the file that are none, and were left out on request
 
   /// Whether there are edges or faces.
@@ -197,8 +198,9 @@ struct Heading {
   std::string program;  ///< the version
   Question question = Question::steps;
   Separation separation;
-  PartRules parts;         ///< which parts were asked about
-  bool clearance = false;  ///< whether the least distance was asked for, too
+  PartRules parts;           ///< which parts were asked about
+  bool clearance = false;    ///< whether the least distance was asked for, too
+  std::optional<double> dt;  ///< the second frame is the first one and so many times a file of velocities
 
   std::size_t frame_count = 0;     ///< of the whole sequence
   std::string list_digest;         ///< digest_of the labels of all frames

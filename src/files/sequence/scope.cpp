@@ -24,7 +24,7 @@ struct Meshes {
     ++count;
     for (const auto member : {&MeshFacts::vertices, &MeshFacts::edges, &MeshFacts::faces, &MeshFacts::points,
                               &MeshFacts::idle, &MeshFacts::neighbours, &MeshFacts::polygons, &MeshFacts::branching,
-                              &MeshFacts::joined, &MeshFacts::welded, &MeshFacts::dropped}) {
+                              &MeshFacts::joined, &MeshFacts::welded, &MeshFacts::dropped, &MeshFacts::animations}) {
       sum.*member += facts.*member;
     }
     if (!facts.has_pairs()) {
@@ -124,6 +124,10 @@ std::vector<std::string> warnings_of(const Heading& heading, const std::vector<F
                     counted(joined, "vertex")));
   }
   for (const std::string& text : left_out_by(heading.parts)) warnings.push_back(text);
+  if (heading.dt) {
+    warnings.push_back(
+        fmt::format("the step ends at the positions and {} times the velocities, rounded to doubles", *heading.dt));
+  }
   if (const std::size_t welded = meshes.sum.welded; welded > 0) {
     warnings.push_back(fmt::format("{} {} welded to others at the same positions", counted(welded, "vertex"),
                                    welded == 1 ? "was" : "were"));
@@ -131,6 +135,10 @@ std::vector<std::string> warnings_of(const Heading& heading, const std::vector<F
   if (const std::size_t dropped = meshes.sum.dropped; dropped > 0) {
     warnings.push_back(fmt::format("{} of the file {} left out: a vertex twice, or the vertices of another one",
                                    counted(dropped, "element"), dropped == 1 ? "was" : "were"));
+  }
+  if (const std::size_t animations = meshes.sum.animations; animations > 0) {
+    warnings.push_back(
+        fmt::format("{} of the file {} not read", counted(animations, "animation"), animations == 1 ? "was" : "were"));
   }
   if (counts.flat > 0) {
     warnings.push_back(fmt::format("{}{} {} flat: that edges of one face lie on each other is no intersection",

@@ -45,7 +45,8 @@ def _mesh_of(arrays: _Arrays, path: Any, between_parts: bool) -> Mesh:
 
 
 def read_mesh(path: Union[str, os.PathLike[str]], *, triangulate: bool = False, between_parts: bool = False) -> MeshFile:
-    """The mesh of a file in one of the program's formats: .obj, .ply, .stl, .vtk, .off or .msh.
+    """The mesh of a file in one of the program's formats: .obj, .ply, .stl, .vtk, .off, .msh, .gltf or
+    .glb.
 
     path           the file; its ending says the format. Coordinates are read without loss, decimals as the nearest
                    doubles

@@ -1,7 +1,7 @@
 // The build without libhdf5.
 // SPDX-License-Identifier: MIT
-#include "frames/array.hpp"
-#include "frames/hdf5_queries.hpp"
+#include "frames/arrays/array.hpp"
+#include "frames/arrays/hdf5_queries.hpp"
 #include "io/fail.hpp"
 
 namespace touchstone::frames {

@@ -7,9 +7,9 @@
 #include <utility>
 #include <vector>
 
-#include "frames/array.hpp"
-#include "frames/hdf5_handles.hpp"
-#include "frames/reading_process.hpp"
+#include "frames/arrays/array.hpp"
+#include "frames/arrays/hdf5_handles.hpp"
+#include "frames/arrays/reading_process.hpp"
 #include "io/fail.hpp"
 
 namespace touchstone::frames {

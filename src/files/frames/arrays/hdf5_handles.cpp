@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "frames/hdf5_handles.hpp"
+#include "frames/arrays/hdf5_handles.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "frames/reading_process.hpp"
+#include "frames/arrays/reading_process.hpp"
 
 #include <fcntl.h>
 #include <signal.h>

@@ -7,7 +7,7 @@
 #include <limits>
 #include <optional>
 
-#include "frames/array.hpp"
+#include "frames/arrays/array.hpp"
 #include "frames/content.hpp"
 #include "io/bytes.hpp"
 #include "io/fail.hpp"

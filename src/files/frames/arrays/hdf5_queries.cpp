@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "frames/hdf5_queries.hpp"
+#include "frames/arrays/hdf5_queries.hpp"
 
 #include <algorithm>
 #include <array>
 #include <optional>
 
-#include "frames/hdf5_handles.hpp"
-#include "frames/reading_process.hpp"
+#include "frames/arrays/hdf5_handles.hpp"
+#include "frames/arrays/reading_process.hpp"
 #include "io/fail.hpp"
 #include "io/queries/hdf5_layout.hpp"
 #include "io/queries/npy_header.hpp"

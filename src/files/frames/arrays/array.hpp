@@ -41,6 +41,11 @@ struct IndexRows {
 /// @param content  the bytes of the file
 IndexRows read_npy_indices(std::string_view file, std::string_view content);
 
+/// A PC2 or MDD file, which has floats.
+enum class PointCache : std::uint8_t { pc2, mdd };
+ArrayShape cache_shape(const std::string& file, PointCache sort, const ReadOptions& options);
+ArrayFrame read_cache_frame(const std::string& file, PointCache sort, std::size_t index, const ReadOptions& options);
+
 /// HDF5.
 ArrayShape hdf5_shape(const std::string& file, const ReadOptions& options);
 ArrayFrame read_hdf5_frame(const std::string& file, std::size_t index, const ReadOptions& options);
