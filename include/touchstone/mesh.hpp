@@ -127,6 +127,10 @@ class Mesh {
   const std::vector<MeshIndex>& points() const noexcept;                ///< the loose points, in ascending order
   Metric metric() const noexcept;                                       ///< how distances are measured
 
+  /// What the mesh is made of, from which the constructor makes the same mesh: with all edges, the loose points, and
+  /// the pairs of rules and separations in ascending order.
+  MeshElements elements() const;
+
   /// Whether the pair is one that first_contact and the other functions ask about. In three dimensions these are two
   /// edges, a vertex and a face, a loose point and an edge that is in no face, the end of an edge that is in no face
   /// and another such edge at its other end, and two loose points. In two dimensions they are a vertex and an edge, and

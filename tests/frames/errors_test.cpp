@@ -272,7 +272,7 @@ std::vector<Fault> gltf_faults() {
   };
   add("\"2.0\"", "\"1.0\"", "asset.version: must be 2.x");
   add("\"scene\":0", "\"scene\":1", "scene: ");
-  add("\"scenes\"", "\"scenery\"", "has no scenes");
+  add("\"scenes\"", "\"scenery\"", "has no scenes: it shows nothing");
   add("{\"nodes\":[0]}", "{\"nodes\":[0,0]}", "scenes[0].nodes[1]: is a node that is in the scene already");
   add("\"mesh\":0,\"name\"", "\"children\":[0],\"name\"",
       "nodes[0].children[0]: is a node that is in the scene already");

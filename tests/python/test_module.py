@@ -54,6 +54,13 @@ def test_the_stub_names_what_the_module_has():
         assert there == {a for a in named if not a.startswith("_")}, cls
 
 
+def test_the_types_are_right():
+    mypy = pytest.importorskip("mypy.api", reason="mypy is not installed")
+    package = Path(ts.__file__).parent
+    words, errors, status = mypy.run(["--cache-dir", os.devnull, str(package)])
+    assert status == 0, words + errors
+
+
 def test_names_are_those_of_the_library():
     header = (Path(__file__).parents[2] / "include/touchstone/answer.hpp").read_text()
     for enumeration in (ts.Nature, ts.Feature, ts.Level, ts.Trend):

@@ -5,6 +5,8 @@
 #include <cstdint>
 #include <string>
 
+#include "python/pickles.hpp"
+
 namespace touchstone::python {
 namespace {
 
@@ -44,14 +46,6 @@ std::string text_of(const Answers& answers) {
   return "<Answers: " + std::to_string(answers.all().size()) + ", " + std::to_string(contacts) + " with contact>";
 }
 
-Answer item(const Answers& answers, py::ssize_t i) {
-  const auto size = static_cast<py::ssize_t>(answers.all().size());
-  if (i < -size || i >= size) {
-    throw py::index_error("there is no answer " + std::to_string(i) + "; there are " + std::to_string(size));
-  }
-  return answers.all()[static_cast<std::size_t>(i < 0 ? i + size : i)];
-}
-
 /// A property whose value is a column of the answers. `Number` is the type of the array's elements, which a member that
 /// is an enumeration or a flag is stored as.
 template <class Number, class Member>
@@ -66,8 +60,10 @@ void column(py::class_<Answers>& answers, const char* name, Member Answer::*memb
 }
 
 void define_answer(py::module_& module) {
-  define_class<Answer>(module, "Answer", "The answer to one query. Without contact only contact and level count.")
-      .def_readonly("contact", &Answer::contact, "whether the elements touch at any time in [0, t_max]")
+  py::class_<Answer> bound =
+      define_class<Answer>(module, "Answer", "The answer to one query. Without contact only contact and level count.");
+  define_pickle(bound);
+  bound.def_readonly("contact", &Answer::contact, "whether the elements touch at any time in [0, t_max]")
       .def_readonly("toi", &Answer::toi, "the largest double <= the exact first time; inf without contact")
       .def_readonly("toi_upper", &Answer::toi_upper, "the smallest double >= the exact first time")
       .def_readonly("starts_within", &Answer::starts_within, "whether the contact exists at t = 0 already")
@@ -106,8 +102,13 @@ void define_answers(py::module_& module) {
       define_class<Answers>(module, "Answers",
                             "The answers to n queries, in their order: arrays without copies that cannot be written\n"
                             "to. answers[i] is an Answer.");
+  define_pickle(
+      answers, [](const Answers& self) { return self.all(); },
+      [](std::vector<Answer>&& all) { return Answers(std::move(all)); });
   answers.def("__len__", [](const Answers& self) { return self.all().size(); })
-      .def("__getitem__", &item)
+      .def("__getitem__", [](const Answers& self, py::ssize_t i) { return item_of(self.all(), i, "answer"); })
+      .def("__getitem__",
+           [](const Answers& self, const py::slice& slice) { return Answers(items_of(self.all(), slice)); })
       .def("__repr__", [](const Answers& self) { return text_of(self); });
   column<bool>(answers, "contact", &Answer::contact, "(n,) bool: whether the elements touch at any time in [0, t_max]");
   column<double>(answers, "toi", &Answer::toi,

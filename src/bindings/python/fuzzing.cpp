@@ -17,6 +17,7 @@
 #include "python/arguments.hpp"
 #include "python/background.hpp"
 #include "python/define.hpp"
+#include "python/pickles.hpp"
 
 namespace touchstone::python {
 namespace {
@@ -167,8 +168,10 @@ FuzzReport fuzz(const py::object& solver, py::handle kinds, py::handle families,
 }
 
 void define_finding(py::module_& module) {
-  define_class<FuzzFinding>(
-      module, "Finding", "All failures of one sort on queries that are degenerate in one way, with the simplest one.")
+  py::class_<FuzzFinding> bound = define_class<FuzzFinding>(
+      module, "Finding", "All failures of one sort on queries that are degenerate in one way, with the simplest one.");
+  define_pickle(bound);
+  bound
       .def_property_readonly(
           "failure", [](const FuzzFinding& found) { return std::string(name_of(found.failure)); },
           "'crash', 'malformed', 'missed', 'late', 'nan', 'phantom' or 'early'")
@@ -208,8 +211,9 @@ void define_finding(py::module_& module) {
 
 void define_fuzzing(py::module_& module) {
   define_finding(module);
-  define_class<FuzzReport>(module, "FuzzReport", "What fuzz found.")
-      .def_readonly("queries", &FuzzReport::queries, "how many queries were asked and judged")
+  py::class_<FuzzReport> bound = define_class<FuzzReport>(module, "FuzzReport", "What fuzz found.");
+  define_pickle(bound);
+  bound.def_readonly("queries", &FuzzReport::queries, "how many queries were asked and judged")
       .def_readonly("failures", &FuzzReport::failures, "how many replies were wrong")
       .def_readonly("allowed", &FuzzReport::allowed,
                     "how many wrong replies late_ulps, late_fraction, near and failures let pass")

@@ -13,6 +13,7 @@
 #include "python/arguments.hpp"
 #include "python/background.hpp"
 #include "python/define.hpp"
+#include "python/pickles.hpp"
 
 namespace touchstone::python {
 namespace {
@@ -125,7 +126,11 @@ message names the element.
 }  // namespace
 
 void define_mesh(py::module_& module) {
-  define_class<Mesh>(module, "Mesh", kMeshHelp)
+  py::class_<Mesh> bound = define_class<Mesh>(module, "Mesh", kMeshHelp);
+  define_pickle(
+      bound, [](const Mesh& mesh) { return mesh.elements(); },
+      [](MeshElements&& elements) { return Mesh(std::move(elements)); });
+  bound
       .def(py::init([](py::object vertices, py::object faces, py::object edges, py::object points,
                        py::object separation, py::object metric, py::object radii, py::object dimension,
                        py::object excluded_vertices, py::object excluded_pairs, py::object groups,

@@ -6,17 +6,10 @@
 
 #include "python/answers.hpp"
 #include "python/arguments.hpp"
+#include "python/pickles.hpp"
 
 namespace touchstone::python {
 namespace {
-
-MeshPair pair_at(const Pairs& pairs, py::ssize_t i) {
-  const auto size = static_cast<py::ssize_t>(pairs.pairs.size());
-  if (i < -size || i >= size) {
-    throw py::index_error("there is no pair " + std::to_string(i) + "; there are " + std::to_string(size));
-  }
-  return pairs.pairs[static_cast<std::size_t>(i < 0 ? i + size : i)];
-}
 
 py::tuple tuple_of(const MeshPair& pair) {
   return py::make_tuple(std::string(name_of(pair.kind)), pair.first, pair.second);
@@ -25,8 +18,14 @@ py::tuple tuple_of(const MeshPair& pair) {
 void define_pairs(py::module_& module) {
   py::class_<Pairs> pairs = define_class<Pairs>(
       module, "Pairs", "Pairs of elements: arrays that cannot be written to. pairs[i] is (kind, first, second).");
+  define_pickle(pairs);
   pairs.def("__len__", [](const Pairs& self) { return self.pairs.size(); })
-      .def("__getitem__", [](const Pairs& self, py::ssize_t i) { return tuple_of(pair_at(self, i)); })
+      .def("__getitem__", [](const Pairs& self, py::ssize_t i) { return tuple_of(item_of(self.pairs, i, "pair")); })
+      .def(
+          "__getitem__",
+          [](const Pairs& self, const py::slice& slice) {
+            return Pairs{items_of(self.pairs, slice), items_of(self.separations, slice), items_of(self.answers, slice)};
+          })
       .def("__repr__", [](const Pairs& self) { return "<Pairs: " + std::to_string(self.pairs.size()) + ">"; })
       .def_property_readonly(
           "kind",
@@ -63,9 +62,21 @@ void define_pairs(py::module_& module) {
 }
 
 void define_intersections(py::module_& module) {
-  py::class_<Intersections> found = define_class<Intersections>(
-      module, "Intersections", "Where a mesh intersects itself: arrays that cannot be written to.");
+  py::class_<Intersections> found =
+      define_class<Intersections>(module, "Intersections",
+                                  "Where a mesh intersects itself: arrays that cannot be written to. found[i] "
+                                  "is\n(first_element, first, second_element, second, sort).");
+  define_pickle(found);
   found.def("__len__", [](const Intersections& self) { return self.all.size(); })
+      .def("__getitem__",
+           [](const Intersections& self, py::ssize_t i) {
+             const Intersection& one = item_of(self.all, i, "intersection");
+             return py::make_tuple(std::string(name_of(one.first_element)), one.first,
+                                   std::string(name_of(one.second_element)), one.second,
+                                   std::string(name_of(one.sort)));
+           })
+      .def("__getitem__",
+           [](const Intersections& self, const py::slice& slice) { return Intersections{items_of(self.all, slice)}; })
       .def("__repr__",
            [](const Intersections& self) { return "<Intersections: " + std::to_string(self.all.size()) + ">"; });
   const auto names = [&](const char* name, auto member, const char* help) {
@@ -112,7 +123,10 @@ void define_intersections(py::module_& module) {
 }
 
 void define_first_contact(py::module_& module) {
-  define_class<FirstContact>(module, "FirstContact", "The first contact of a mesh in a step.")
+  py::class_<FirstContact> bound =
+      define_class<FirstContact>(module, "FirstContact", "The first contact of a mesh in a step.");
+  define_pickle(bound);
+  bound
       .def_readonly("contact", &FirstContact::contact,
                     "whether elements that are not in contact at the start come into contact")
       .def_readonly("toi", &FirstContact::toi, "the largest double <= the exact first time of it; inf without one")
@@ -145,7 +159,10 @@ void define_first_contact(py::module_& module) {
 }
 
 void define_closest_approach(py::module_& module) {
-  define_class<ClosestApproach>(module, "ClosestApproach", "How near the elements of a mesh come to each other.")
+  py::class_<ClosestApproach> bound =
+      define_class<ClosestApproach>(module, "ClosestApproach", "How near the elements of a mesh come to each other.");
+  define_pickle(bound);
+  bound
       .def_readonly("distance", &ClosestApproach::distance,
                     "the least distance, rounded up; inf where no two elements may collide")
       .def_readonly("first_contact", &ClosestApproach::first_contact,
@@ -163,7 +180,9 @@ std::string outcome_text(StepOutcome outcome) {
 }
 
 void define_free_step(py::module_& module) {
-  define_class<Step>(module, "FreeStep", "A step that is proved free of contact.")
+  py::class_<Step> bound = define_class<Step>(module, "FreeStep", "A step that is proved free of contact.");
+  define_pickle(bound);
+  bound
       .def_property_readonly(
           "outcome", [](const Step& self) { return outcome_text(self.step.outcome); },
           "'whole', 'shortened', 'no_room', 'contact_at_start' or 'intersects_at_start'")

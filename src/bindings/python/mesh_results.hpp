@@ -37,6 +37,19 @@ struct Step {
   int dimension;
 };
 
+template <class Archive>
+void members(Archive& archive, Pairs& x) {
+  archive(x.pairs, x.separations, x.answers);
+}
+template <class Archive>
+void members(Archive& archive, Intersections& x) {
+  archive(x.all);
+}
+template <class Archive>
+void members(Archive& archive, Step& x) {
+  archive(x.step, x.dimension);
+}
+
 /// Of them all.
 void define_mesh_results(py::module_& module);
 

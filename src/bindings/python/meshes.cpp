@@ -100,6 +100,8 @@ void define_steps(py::module_& module) {
   const auto check_start = py::arg("check_start") = false;
   define_class<SharedSteps>(module, "MeshSteps", kStepsHelp)
       .def(py::init<const Mesh&>(), py::arg("mesh"))
+      .def("__reduce__",  // a copy begins anew
+           [](const py::object& self) { return py::make_tuple(py::type::of(self), py::make_tuple(self.attr("mesh"))); })
       .def("first_contact",
            of_step<SharedSteps>(
                [](SharedSteps& shared, const Positions& x0, const Positions& x1, const FirstContactOptions& options) {

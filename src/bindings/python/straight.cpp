@@ -16,6 +16,7 @@
 #include "python/answers.hpp"
 #include "python/arguments.hpp"
 #include "python/chunks.hpp"
+#include "python/pickles.hpp"
 #include "python/query_arrays.hpp"
 #include "python/questions.hpp"
 #include "threads/for_each_range.hpp"
@@ -182,6 +183,8 @@ void define_times(py::module_& module) {
       .def_property_readonly("upper", &ExactTime::upper, "the smallest double >= this time")
       .def("__float__", &ExactTime::lower)
       .def("__str__", &ExactTime::to_string)
+      .def("__copy__", [](const py::object& self) { return self; })
+      .def("__deepcopy__", [](const py::object& self, py::handle) { return self; })
       .def("__repr__", [](const ExactTime& time) { return "<ExactTime " + time.to_string() + ">"; })
       .def("__eq__", comparison([](int order) { return order == 0; }))
       .def("__ne__", comparison([](int order) { return order != 0; }))
@@ -194,8 +197,10 @@ void define_times(py::module_& module) {
 
 void define_distances(py::module_& module) {
   const auto weights = [](const std::array<double, 3>& w) { return py::make_tuple(w[0], w[1], w[2]); };
-  define_class<Distance>(module, "Distance", "The distance of two elements at one instant, and their closest points.")
-      .def_readonly("value", &Distance::value, "the double nearest to the exact distance")
+  py::class_<Distance> one = define_class<Distance>(
+      module, "Distance", "The distance of two elements at one instant, and their closest points.");
+  define_pickle(one);
+  one.def_readonly("value", &Distance::value, "the double nearest to the exact distance")
       .def_property_readonly("feature_a", [](const Distance& d) { return name_object(d.feature_a); })
       .def_property_readonly("feature_b", [](const Distance& d) { return name_object(d.feature_b); })
       .def_property_readonly("weights_a", [weights](const Distance& d) { return weights(d.weights_a); })
@@ -208,7 +213,14 @@ void define_distances(py::module_& module) {
       });
   py::class_<Distances> distances =
       define_class<Distances>(module, "Distances", "The distances of n queries: arrays that cannot be written to.");
-  distances.def("__len__", [](const Distances& d) { return d.all.size(); });
+  define_pickle(
+      distances, [](const Distances& self) { return self.all; },
+      [](std::vector<Distance>&& all) { return Distances{std::move(all)}; });
+  distances.def("__len__", [](const Distances& self) { return self.all.size(); })
+      .def("__repr__", [](const Distances& self) { return "<Distances: " + std::to_string(self.all.size()) + ">"; })
+      .def("__getitem__", [](const Distances& self, py::ssize_t i) { return item_of(self.all, i, "distance"); })
+      .def("__getitem__",
+           [](const Distances& self, const py::slice& slice) { return Distances{items_of(self.all, slice)}; });
   const auto column = [&](const char* name, auto member, auto number, std::size_t width, const char* help) {
     const auto get = [member, number, width](const py::object& self) {
       static_cast<void>(number);

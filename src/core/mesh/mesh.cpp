@@ -370,6 +370,28 @@ bool Mesh::may_collide(const MeshPair& pair) const {
   return mesh::rules_allow(*impl_, pair);
 }
 
+MeshElements Mesh::elements() const {
+  const auto unpacked = [](const std::vector<std::uint64_t>& pairs) {
+    std::vector<std::array<MeshIndex, 2>> vertices;
+    for (const std::uint64_t pair : pairs) {
+      vertices.push_back({static_cast<MeshIndex>(pair >> 32), static_cast<MeshIndex>(pair)});
+    }
+    return vertices;
+  };
+  MeshElements made;
+  made.vertex_count = impl_->vertex_count;
+  made.faces = impl_->faces;
+  made.edges = impl_->edges;
+  made.points = impl_->points;
+  made.dimension = impl_->dimension;
+  made.rules = {unpacked(impl_->vertex_pairs), impl_->element_pairs, impl_->groups, impl_->group_rule,
+                unpacked(impl_->group_pairs)};
+  made.separation = impl_->separation;
+  made.radii = impl_->radii;
+  made.pair_separations = impl_->pair_separations;
+  return made;
+}
+
 bool Mesh::has_pairs() const {
   const Impl& mesh = *impl_;
   // A face with its edges makes no pair.

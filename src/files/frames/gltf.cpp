@@ -264,7 +264,7 @@ class GltfReader {
       placed.emplace_back(node, product(parent, transform_of(nodes_[node])));
     };
     const auto scenes = root.find("scenes");
-    if (!scenes) root.fail("has no scenes, so that nothing in it has a transform");
+    if (!scenes) root.fail("has no scenes: it shows nothing");
     const std::vector<JsonNode> all = scenes->items();
     const auto chosen = root.find("scene");
     if (all.empty()) scenes->fail("is empty");

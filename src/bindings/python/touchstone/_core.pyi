@@ -1,5 +1,5 @@
 # The types of the compiled half. The documented functions are in _queries.py and its neighbours.
-from typing import Any, Dict, Iterable, Iterator, List, Mapping, Optional, Tuple, Union
+from typing import Any, Dict, Iterable, Iterator, List, Mapping, Optional, Tuple, Union, overload
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -15,6 +15,7 @@ _Codes = NDArray[np.uint8]
 _Indices = NDArray[np.uint32]
 _Weights = Tuple[float, float, float]
 _Pair = Tuple[str, int, int]
+_Intersection = Tuple[str, int, str, int, str]
 
 class Answer:
     contact: bool
@@ -43,8 +44,12 @@ class Answers:
     weights_a: _Doubles
     weights_b: _Doubles
     def __len__(self) -> int: ...
+    @overload
     def __getitem__(self, i: int) -> Answer: ...
+    @overload
+    def __getitem__(self, i: slice) -> Answers: ...
     def __iter__(self) -> Iterator[Answer]: ...
+    def to_pandas(self) -> Any: ...
 
 class ExactTime:
     lower: float
@@ -70,6 +75,12 @@ class Distances:
     weights_a: _Doubles
     weights_b: _Doubles
     def __len__(self) -> int: ...
+    @overload
+    def __getitem__(self, i: int) -> Distance: ...
+    @overload
+    def __getitem__(self, i: slice) -> Distances: ...
+    def __iter__(self) -> Iterator[Distance]: ...
+    def to_pandas(self) -> Any: ...
 
 class Mesh:
     vertex_count: int
@@ -97,8 +108,12 @@ class Pairs:
     separation: _Doubles
     answers: Answers
     def __len__(self) -> int: ...
+    @overload
     def __getitem__(self, i: int) -> _Pair: ...
+    @overload
+    def __getitem__(self, i: slice) -> Pairs: ...
     def __iter__(self) -> Iterator[_Pair]: ...
+    def to_pandas(self) -> Any: ...
 
 class FirstContact:
     contact: bool
@@ -142,6 +157,12 @@ class Intersections:
     weights_first: _Doubles
     weights_second: _Doubles
     def __len__(self) -> int: ...
+    @overload
+    def __getitem__(self, i: int) -> _Intersection: ...
+    @overload
+    def __getitem__(self, i: slice) -> Intersections: ...
+    def __iter__(self) -> Iterator[_Intersection]: ...
+    def to_pandas(self) -> Any: ...
 
 class CurvedArrays:
     kind: str

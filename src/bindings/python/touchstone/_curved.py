@@ -55,6 +55,13 @@ class OnCurves:
         return (self.control_points,)
 
 
+def _again(kind, first, second, shorter_turn):
+    """A pickle's queries, about whose turns the warning was given."""
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")
+        return CurvedQueries(kind, first, second, shorter_turn=shorter_turn)
+
+
 class CurvedQueries:
     """Queries about elements of bodies that turn, and elements on curves.
 
@@ -91,6 +98,7 @@ class CurvedQueries:
                 raise TypeError(f"{name} is of type {found}; it must be touchstone.OnBody or touchstone.OnCurves")
         if not isinstance(shorter_turn, (bool, np.bool_)):
             raise TypeError(f"shorter_turn is of type {type(shorter_turn).__name__}; it must be a bool")
+        self._made_of = kind, first, second, bool(shorter_turn)
         self._core = _core.curved_queries(kind, first._parts(), second._parts(), bool(shorter_turn))
         longer = self._core.longer_turns
         if longer and not shorter_turn:
@@ -107,6 +115,9 @@ class CurvedQueries:
 
     def __len__(self) -> int:
         return len(self._core)
+
+    def __reduce__(self):
+        return _again, self._made_of
 
     def __repr__(self):
         return f"<CurvedQueries: {len(self)} {self.kind}>"

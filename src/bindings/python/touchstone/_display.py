@@ -3,7 +3,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from html import escape
-from typing import Union
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -161,7 +161,7 @@ def show_mesh(mesh: Mesh, x0: ArrayLike, x1: ArrayLike, t_max: float = 1.0, thre
     return ShownMesh(mesh, np.array(x0), np.array(x1), found, float(t_max))
 
 
-def _show_answers(answers: Union[Answers, NDArray]):
+def _show_answers(answers: Any):
     rows = [(i, "yes" if a.contact else "no", _number(a.toi) if a.contact else "", Nature(a.nature), Level(a.level))
             for i, a in zip(range(_MOST_ROWS), answers)]
     return _table(f"{len(answers)} answers, {int(answers.contact.sum())} with contact",

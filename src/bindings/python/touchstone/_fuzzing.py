@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 
 from . import _core
 from ._core import FuzzReport
+from ._hints import hinting
 from ._queries import Kind, Metric
 
 _MOST = 2**64 - 1
@@ -37,6 +38,7 @@ def _words(words, name):
     return given
 
 
+@hinting
 def fuzz(solver: Callable[[str, NDArray[np.float64], NDArray[np.float64]], Any], cases: int = 10_000, *,
          kinds: Optional[Iterable[Kind]] = None, families: Optional[Iterable[str]] = None, seed: int = 1,
          climb: int = 0, separation: float = 0.0, metric: Metric = "euclidean",

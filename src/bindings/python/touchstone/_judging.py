@@ -10,6 +10,7 @@ from numpy.typing import ArrayLike, NDArray
 from . import _core
 from ._arrays import unmasked
 from ._core import Answer, Answers
+from ._hints import hinting
 from ._names import _Named
 from ._pages import there
 from ._queries import Kind, Metric, solve
@@ -92,6 +93,7 @@ def _cards(kind, asked, claimed, times, verdict):
              f"query {i}: {Verdict(verdict[i])}, {kind.replace('_', '-')}", "", "") for k, i in enumerate(rows)]
 
 
+@hinting
 def certify(kind: Kind, start: ArrayLike, end: ArrayLike, contact: ArrayLike, toi: Optional[ArrayLike] = None,
             t_max: float = 1.0, separation: ArrayLike = 0.0, metric: Metric = "euclidean",
             threads: int = 1) -> Certificate:

@@ -44,6 +44,69 @@ def _mesh_of(arrays: _Arrays, path: Any, between_parts: bool) -> Mesh:
     return Mesh(len(positions), faces, edges, loose, groups=groups, group_pairs=np.stack([numbers, numbers], axis=1))
 
 
+def _padded_rows(flat: Any, width: int, name: str) -> npt.NDArray[np.int64]:
+    """PyVista's cells: the number of corners before each one's corners. Lines of more corners are several edges."""
+    values, rows, i = np.asarray(flat).ravel(), [], 0
+    if len(values) % (width + 1) == 0 and (values[::width + 1] == width).all():
+        return values.reshape(-1, width + 1)[:, 1:]
+    while i < len(values):
+        count = int(values[i])
+        if width == 3:
+            raise ValueError(f"{name} has a face of {count} corners; a face has three: triangulate() cuts them")
+        corners = values[i + 1:i + 1 + count]
+        rows.append(np.stack([corners[:-1], corners[1:]], axis=1))
+        i += 1 + count
+    return np.concatenate(rows)
+
+
+def _meshio_cells(thing: Any) -> Any:
+    cells = {"triangle": [np.empty((0, 3), int)], "line": [np.empty((0, 2), int)], "vertex": [np.empty((0, 1), int)]}
+    for block in thing.cells:
+        if block.type not in cells:
+            raise ValueError(f"the mesh has cells of type '{block.type}'; right are triangle, line and vertex. "
+                             "thing.write('a.vtk') and read_mesh take the surface of tetrahedra")
+        cells[block.type].append(np.asarray(block.data))
+    return [np.concatenate(cells[name]) for name in ("triangle", "line", "vertex")]
+
+
+def as_mesh(thing: Any) -> MeshFile:
+    """The mesh of an object of meshio, trimesh, PyVista (PolyData) or Open3D (TriangleMesh, LineSet).
+
+    thing  the object. It is known by its attributes, points and cells, vertices and faces, points and faces, vertices
+           and triangles, or points and lines, so that no package need be there
+
+    Returns a MeshFile with mesh and positions, in the object's numbering. Vertices in no element do not collide. Raises
+    TypeError for other objects, and ValueError for cells that are neither triangles, edges nor points.
+
+    >>> import types, touchstone
+    >>> thing = types.SimpleNamespace(vertices=[[0, 0, 0], [1, 0, 0], [0, 1, 0]], faces=[[0, 1, 2]])
+    >>> touchstone.as_mesh(thing).mesh
+    <Mesh: 3 vertices, 1 faces, 3 edges, 0 loose points>
+    """
+    none = np.empty((0, 2), int)
+    faces, edges, points = np.empty((0, 3), int), none, np.empty((0, 1), int)
+    if hasattr(thing, "points") and isinstance(getattr(thing, "cells", None), list):
+        positions, (faces, edges, points) = thing.points, _meshio_cells(thing)
+    elif hasattr(thing, "vertices") and hasattr(thing, "triangles"):
+        positions, faces = thing.vertices, thing.triangles
+    elif hasattr(thing, "vertices") and hasattr(thing, "faces"):
+        positions, faces = thing.vertices, thing.faces
+    elif hasattr(thing, "points") and hasattr(thing, "faces"):
+        positions, faces = thing.points, _padded_rows(thing.faces, 3, "thing.faces")
+        edges = _padded_rows(thing.lines, 2, "thing.lines") if len(getattr(thing, "lines", ())) else edges
+        points = _padded_rows(thing.verts, 1, "thing.verts") if len(getattr(thing, "verts", ())) else points
+        if not len(faces) and not len(edges):
+            raise ValueError("the PolyData has neither faces nor lines; Mesh(len(points)) makes loose points")
+    elif hasattr(thing, "points") and hasattr(thing, "lines"):
+        positions, edges = thing.points, thing.lines
+    else:
+        raise TypeError(f"an object of type {type(thing).__name__} is no mesh of meshio, trimesh, PyVista or Open3D: it "
+                        "has no points and cells, vertices and faces, vertices and triangles, or points and lines")
+    at = np.ascontiguousarray(np.asarray(positions), dtype=np.float64)
+    mesh = Mesh(at, np.asarray(faces), np.asarray(edges), np.unique(np.asarray(points).ravel()))
+    return MeshFile(mesh, at, [], np.empty(0, np.uint32))
+
+
 def read_mesh(path: Union[str, os.PathLike[str]], *, triangulate: bool = False, between_parts: bool = False) -> MeshFile:
     """The mesh of a file in one of the program's formats: .obj, .ply, .stl, .vtk, .off, .msh, .gltf or
     .glb.

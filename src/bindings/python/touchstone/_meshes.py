@@ -7,8 +7,10 @@ from numpy.typing import ArrayLike
 
 from . import _core
 from ._core import ClosestApproach, FirstContact, FreeStep, Intersections, Mesh, Pairs
+from ._hints import hinting
 
 
+@hinting
 def first_contact(mesh: Mesh, x0: ArrayLike, x1: ArrayLike, t_max: float = 1.0, threads: int = 1, *,
                   check_start: bool = False) -> FirstContact:
     """The first contact while each vertex moves on a straight line from its position in x0 to that in x1.
@@ -37,6 +39,7 @@ def first_contact(mesh: Mesh, x0: ArrayLike, x1: ArrayLike, t_max: float = 1.0, 
     return _core.first_contact(mesh, x0, x1, t_max, threads, check_start)
 
 
+@hinting
 def all_contacts(mesh: Mesh, x0: ArrayLike, x1: ArrayLike, t_max: float = 1.0, threads: int = 1) -> Pairs:
     """Every pair that comes into contact in [0, t_max], those in contact at the start too, by time and then by pair.
 
@@ -51,6 +54,7 @@ def all_contacts(mesh: Mesh, x0: ArrayLike, x1: ArrayLike, t_max: float = 1.0, t
     return _core.all_contacts(mesh, x0, x1, t_max, threads, False)
 
 
+@hinting
 def closest_approach(mesh: Mesh, x0: ArrayLike, x1: Optional[ArrayLike] = None, t_max: float = 1.0,
                      threads: int = 1) -> ClosestApproach:
     """The least distance of two elements that may collide, in a step from x0 to x1, or at rest at x0 without x1.
@@ -68,6 +72,7 @@ def closest_approach(mesh: Mesh, x0: ArrayLike, x1: Optional[ArrayLike] = None, 
     return _core.closest_approach(mesh, x0, x0 if x1 is None else x1, t_max, threads, False)
 
 
+@hinting
 def candidates(mesh: Mesh, x0: ArrayLike, x1: ArrayLike, threads: int = 1) -> Pairs:
     """The pairs whose boxes meet during the step: every pair in contact is among them.
 
@@ -80,6 +85,7 @@ def candidates(mesh: Mesh, x0: ArrayLike, x1: ArrayLike, threads: int = 1) -> Pa
     return _core.candidates(mesh, x0, x1, 1.0, threads, False)
 
 
+@hinting
 def intersections(mesh: Mesh, x: ArrayLike, threads: int = 1) -> Intersections:
     """Where the mesh intersects itself at the positions x, exactly; separations do not count.
 
@@ -97,6 +103,7 @@ def intersections(mesh: Mesh, x: ArrayLike, threads: int = 1) -> Intersections:
     return _core.intersections(mesh, x, threads)
 
 
+@hinting
 def intersects(mesh: Mesh, x: ArrayLike, threads: int = 1) -> bool:
     """Whether `intersections` finds any. It ends at the first one that it meets. Raises what `first_contact` raises.
 
@@ -107,6 +114,7 @@ def intersects(mesh: Mesh, x: ArrayLike, threads: int = 1) -> bool:
     return _core.intersects(mesh, x, threads)
 
 
+@hinting
 def free_step(mesh: Mesh, x0: ArrayLike, x1: ArrayLike, kept_fraction: float = 0.0, threads: int = 1, *,
               check_start: bool = False, float32: bool = False) -> FreeStep:
     """The longest step from x0 towards x1 that is proved free of contact, to positions rounded as they are returned.

@@ -126,7 +126,7 @@ def check(proofs: Union[str, os.PathLike], *files: Union[str, os.PathLike],
     """
     program = _checker(checker)
     names = [os.path.join(os.curdir, name) if name.startswith("-") else name
-             for name in map(os.fspath, (proofs, *files))]
+             for name in [os.fspath(file) for file in (proofs, *files)]]
     result = subprocess.run([program, *names], capture_output=True, text=True, errors="replace", check=False)
     words = (result.stdout + result.stderr).strip()
     if result.returncode not in (0, 1):

@@ -1,12 +1,13 @@
 """Questions about two elements. SPDX-License-Identifier: MIT"""
 from __future__ import annotations
 
-from typing import List, Literal, Tuple, Union
+from typing import List, Literal, Optional, Tuple, Union
 
 from numpy.typing import ArrayLike, NDArray
 
 from . import _core
 from ._core import Answer, Answers, Distance, Distances, ExactTime
+from ._hints import hinting
 
 Kind = Literal["edge-edge", "vertex-face", "point-edge", "point-point"]
 Metric = Literal["euclidean", "max"]
@@ -15,6 +16,7 @@ Wanted = Literal["all", "features", "time", "contact"]
 Times = List[Tuple[ExactTime, ExactTime]]
 
 
+@hinting
 def solve(kind: Kind, start: ArrayLike, end: ArrayLike, t_max: float = 1.0, separation: ArrayLike = 0.0,
           metric: Metric = "euclidean", threads: int = 1, method: Method = "fast",
           wanted: Wanted = "all") -> Union[Answers, Answer]:
@@ -56,6 +58,7 @@ def solve(kind: Kind, start: ArrayLike, end: ArrayLike, t_max: float = 1.0, sepa
     return _core.solve(kind, start, end, t_max, separation, metric, threads, method, wanted)
 
 
+@hinting
 def contact_times(kind: Kind, start: ArrayLike, end: ArrayLike, t_max: float = 1.0, separation: ArrayLike = 0.0,
                   metric: Metric = "euclidean", threads: int = 1) -> Union[Times, List[Times]]:
     """All times in [0, t_max] at which the elements touch, exactly: disjoint closed intervals in ascending order.
@@ -72,7 +75,8 @@ def contact_times(kind: Kind, start: ArrayLike, end: ArrayLike, t_max: float = 1
     return _core.contact_times(kind, start, end, t_max, separation, metric, threads)
 
 
-def distance(kind: Kind, start: ArrayLike, end: ArrayLike = None, t: float = 0.0, metric: Metric = "euclidean",
+@hinting
+def distance(kind: Kind, start: ArrayLike, end: Optional[ArrayLike] = None, t: float = 0.0, metric: Metric = "euclidean",
              threads: int = 1) -> Union[Distances, Distance]:
     """The distance of the elements at the time t, 0 <= t <= 1, by exact arithmetic.
 
@@ -89,6 +93,7 @@ def distance(kind: Kind, start: ArrayLike, end: ArrayLike = None, t: float = 0.0
     return _core.distance(kind, start, start if end is None else end, t, metric, threads)
 
 
+@hinting
 def contact_normal(kind: Kind, start: ArrayLike, end: ArrayLike, t_max: float = 1.0, separation: ArrayLike = 0.0,
                    threads: int = 1) -> NDArray:
     """The unit normal at the first contact for t in [0, t_max], within 2^-49 of the true one.
@@ -107,6 +112,7 @@ def contact_normal(kind: Kind, start: ArrayLike, end: ArrayLike, t_max: float = 
     return _core.contact_normal(kind, start, end, t_max, separation, threads)
 
 
+@hinting
 def toi_gradient(kind: Kind, start: ArrayLike, end: ArrayLike, t_max: float = 1.0, separation: ArrayLike = 0.0,
                  threads: int = 1) -> NDArray:
     """The derivatives of the first contact's exact time by all coordinates, each the true one or a double beside it.

@@ -23,6 +23,7 @@ from ._arrays import unmasked
 from ._core import Mesh
 from ._judging import Certificate, Verdict
 from ._names import Nature
+from ._queries import Kind
 
 _FIELDS = np.dtype([("contact", "?"), ("toi", "f8"), ("toi_upper", "f8"), ("nature", "u1"), ("feature_a", "u1"),
                     ("feature_b", "u1"), ("level", "u1"), ("trend", "u1"), ("starts_within", "?"),
@@ -72,7 +73,7 @@ def _rows(answers):
     return rows
 
 
-def solve_part(kind: str, start: NDArray, end: NDArray, **options: Any) -> NDArray:
+def solve_part(kind: Kind, start: NDArray, end: NDArray, **options: Any) -> NDArray:
     """`touchstone.solve` of n queries as a structured array, which can be sent from process to process.
 
     Arguments and errors are those of `touchstone.solve`.
@@ -83,7 +84,7 @@ def solve_part(kind: str, start: NDArray, end: NDArray, **options: Any) -> NDArr
     return _rows(_queries.solve(kind, start, end, **options))
 
 
-def solve(client: Any, kind: str, parts: Sequence, **options: Any) -> np.recarray:
+def solve(client: Any, kind: Kind, parts: Sequence, **options: Any) -> np.recarray:
     """`touchstone.solve` over parts (start, end). The attributes of the result are those of Answers.
 
     options  those of `touchstone.solve`
@@ -98,14 +99,14 @@ def solve(client: Any, kind: str, parts: Sequence, **options: Any) -> np.recarra
     return _joined(_run(client, partial(solve_part, kind, **options), parts))
 
 
-def certify_part(kind: str, start: NDArray, end: NDArray, contact: NDArray, toi: Optional[NDArray] = None,
+def certify_part(kind: Kind, start: NDArray, end: NDArray, contact: NDArray, toi: Optional[NDArray] = None,
                  **options: Any) -> Tuple[NDArray, NDArray, NDArray]:
     """`touchstone.certify` of n claims: (verdict, truth as of `solve_part`, early). Errors are those of it."""
     found = _judging.certify(kind, start, end, contact, toi, **options)
     return found.verdict, _rows(found.truth), found.early
 
 
-def certify(client: Any, kind: str, parts: Sequence, **options: Any) -> Certificate:
+def certify(client: Any, kind: Kind, parts: Sequence, **options: Any) -> Certificate:
     """`touchstone.certify` over parts (start, end, contact) or (start, end, contact, toi).
 
     options  those of `touchstone.certify`
@@ -154,13 +155,13 @@ def report(certificate: Certificate) -> str:
     return _text(*_tally(certificate))
 
 
-def report_part(kind: str, start: NDArray, end: NDArray, contact: NDArray, toi: Optional[NDArray] = None,
+def report_part(kind: Kind, start: NDArray, end: NDArray, contact: NDArray, toi: Optional[NDArray] = None,
                 **options: Any) -> Tuple[List[int], List[Dict]]:
     """The counts and refuted claims of `touchstone.certify`, whose errors it has, with numbers from 0."""
     return _tally(_judging.certify(kind, start, end, contact, toi, **options))
 
 
-def certify_report(client: Any, kind: str, parts: Sequence, **options: Any) -> str:
+def certify_report(client: Any, kind: Kind, parts: Sequence, **options: Any) -> str:
     """report(certify(client, kind, parts)), without the answers to claims that hold: for many workers.
 
     Arguments and errors are those of `certify`.
@@ -249,7 +250,9 @@ def steps_part(mesh: Mapping[str, Any], frame: Callable[[int], NDArray], first: 
     """The steps first to last - 1 of a sequence, as `steps` describes them. Errors are those of `first_contact`."""
     made = _mesh_of(_key_of(mesh))
     found = []
-    before = frame(first) if first < last else None
+    if first >= last:
+        return []
+    before = frame(first)
     for k in range(first, last):
         after = frame(k + 1)
         try:

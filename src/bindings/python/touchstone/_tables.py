@@ -1,0 +1,61 @@
+"""Results as tables of pandas. SPDX-License-Identifier: MIT"""
+from __future__ import annotations
+
+from typing import Any
+
+from ._core import Answers, Distances, Intersections, Pairs
+from ._names import Feature, Level, Nature, Trend
+
+
+def _frame(columns) -> Any:
+    try:
+        import pandas  # type: ignore[import]
+    except ImportError:
+        raise ImportError("to_pandas needs pandas (pip install pandas, or Debian's python3-pandas)") from None
+    return pandas.DataFrame(columns)
+
+
+def _weights(name, weights):
+    return {f"{name}{i}": weights[:, i] for i in range(3)}
+
+
+def _answer_columns(answers):
+    return {"contact": answers.contact, "toi": answers.toi, "toi_upper": answers.toi_upper,
+            "nature": Nature.names(answers.nature), "feature_a": Feature.names(answers.feature_a),
+            "feature_b": Feature.names(answers.feature_b), "level": Level.names(answers.level),
+            "trend": Trend.names(answers.trend), "starts_within": answers.starts_within,
+            **_weights("a", answers.weights_a), **_weights("b", answers.weights_b)}
+
+
+def _answers_table(self) -> Any:
+    """A pandas.DataFrame with a row for each answer, in which natures, features, levels and trends are names, and the
+    weights are a0 a1 a2 b0 b1 b2. Raises ImportError without pandas."""
+    return _frame(_answer_columns(self))
+
+
+def _distances_table(self) -> Any:
+    """A pandas.DataFrame with a row for each distance, in which features are names, and the weights are a0 a1 a2 b0 b1
+    b2. Raises ImportError without pandas."""
+    return _frame({"value": self.value, "feature_a": Feature.names(self.feature_a),
+                   "feature_b": Feature.names(self.feature_b), **_weights("a", self.weights_a),
+                   **_weights("b", self.weights_b)})
+
+
+def _pairs_table(self) -> Any:
+    """A pandas.DataFrame with a row for each pair, and for each contact with its separation and its answer. Raises
+    ImportError without pandas."""
+    contact = {"separation": self.separation, **_answer_columns(self.answers)} if len(self.separation) else {}
+    return _frame({"kind": self.kind, "first": self.first, "second": self.second, **contact})
+
+
+def _intersections_table(self) -> Any:
+    """A pandas.DataFrame with a row for each intersection; the common point's weights are a0 a1 a2 b0 b1 b2. Raises
+    ImportError without pandas."""
+    return _frame({"first_element": self.first_element, "first": self.first, "second_element": self.second_element,
+                   "second": self.second, "sort": self.sort, **_weights("a", self.weights_first),
+                   **_weights("b", self.weights_second)})
+
+
+for _class, _method in ((Answers, _answers_table), (Distances, _distances_table), (Pairs, _pairs_table),
+                        (Intersections, _intersections_table)):
+    setattr(_class, "to_pandas", _method)

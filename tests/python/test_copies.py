@@ -1,0 +1,148 @@
+"""Copies, pickles, slices and tables of objects, and hints. SPDX-License-Identifier: MIT"""
+import copy
+import pickle
+import types
+
+import numpy as np
+import pytest
+import touchstone as ts
+
+START = np.zeros((5, 2, 3))
+START[:, 1, 0] = [1, 2, 5, 3, 4]
+END = START.copy()
+END[:, 0, 0] = 4
+EDGES = [[[0, 0, 0], [1, 0, 0]]]
+
+
+def objects():
+    mesh = ts.Mesh(7, [[0, 1, 2], [3, 4, 5]], [[4, 3]], separation=0.125, metric="max", excluded_vertices=[[6, 0]],
+                   excluded_pairs=[("vertex-face", 3, 0)], groups=[0, 0, 0, 1, 1, 1, 2], group_pairs=[[2, 1]],
+                   pair_separations={("vertex-face", 5, 0): 0.5})
+    x0 = np.array([[-9, -9, 0], [9, -9, 0], [0, 9, 0], [0, 0, 1], [1, 0, 1.5], [0, 1, 1.5], [2, 2, 1]], float)
+    x1 = x0 + np.array([[0, 0, 0]] * 3 + [[0, 0, -1.25]] * 3 + [[0, 0, 0]])
+    plain = ts.Mesh(7, [[0, 1, 2], [3, 4, 5]])
+    contact = ts.first_contact(plain, x0, x1, check_start=True)
+    return [mesh, ts.Mesh(3, radii=[0.5, 0, 1], dimension=2), ts.solve("point-point", START, END),
+            ts.solve("point-point", START[0], END[0]), ts.distance("point-point", START),
+            ts.distance("point-point", START[0]), contact, contact.earliest, ts.all_contacts(plain, x0, x1),
+            ts.candidates(plain, x0, x1), ts.free_step(plain, x0, x1), ts.intersections(plain, x1),
+            ts.closest_approach(plain, x0, x1), ts.fuzz(lambda *_: False, 300),
+            ts.fuzz(lambda *_: False, 300).findings[0], ts.Nature.crossing]
+
+
+def same(a, b):
+    """By all attributes."""
+    if isinstance(a, np.ndarray):
+        return a.dtype == b.dtype and np.array_equal(a, b, equal_nan=a.dtype == float)
+    if isinstance(a, (list, tuple)):
+        return len(a) == len(b) and all(same(x, y) for x, y in zip(a, b))
+    if type(a).__module__.startswith("touchstone") and type(a).__module__ != "touchstone._names":
+        names = [n for n in dir(a) if not n.startswith("_") and not callable(getattr(a, n))]
+        return repr(a) == repr(b) and all(same(getattr(a, n), getattr(b, n)) for n in names)
+    return type(a) is type(b) and (a == b or a != a and b != b)
+
+
+@pytest.mark.parametrize("i", range(16))
+def test_a_pickle_is_the_same_object(i):
+    thing = objects()[i]
+    for protocol in range(2, pickle.HIGHEST_PROTOCOL + 1):
+        again = pickle.loads(pickle.dumps(thing, protocol))
+        assert type(again) is type(thing) and same(thing, again)
+    assert copy.copy(thing) is thing and copy.deepcopy([thing])[0] is thing
+
+
+def test_a_mesh_keeps_its_rules():
+    mesh = objects()[0]
+    again = pickle.loads(pickle.dumps(mesh))
+    for kind, first, second in [("vertex-face", a, b) for a in range(7) for b in range(2)]:
+        pair = (kind, first, second)
+        assert mesh.may_collide(pair) == again.may_collide(pair)
+        assert mesh.separation_of(pair) == again.separation_of(pair)
+    assert again.separation_of(("vertex-face", 5, 0)) == 0.5 and again.metric == "max"
+    assert not again.may_collide(("vertex-face", 3, 0)) and again.may_collide(("vertex-face", 4, 0))
+    steps = copy.deepcopy(ts.MeshSteps(mesh))
+    assert same(steps.mesh, mesh) and steps.searches == 0
+
+
+def test_curved_queries():
+    fan = ts.OnBody(np.array([[[0, 0, 0], [1, 0, 0]], [[0, 0, 0], [2, 0, 0]]], float), q1=[-1, 0, 0, 1])
+    with pytest.warns(UserWarning, match="longer"):
+        queries = ts.CurvedQueries("point-edge", ts.OnCurves([[[0, 1.5, 0]]]), fan)
+    again = pickle.loads(pickle.dumps(queries))
+    assert repr(again) == repr(queries) and same(again.solve(), queries.solve())
+    assert same(copy.deepcopy(queries).solve(), queries.solve())
+
+
+def test_times_are_copied():
+    (first, last), = ts.contact_times("point-edge", [[-1, 0, 0]] + EDGES[0], [[2, 0, 0]] + EDGES[0])
+    assert copy.deepcopy(first) is first and copy.copy(last) is last
+
+
+def test_a_damaged_pickle_is_refused():
+    answers = ts.solve("point-point", START, END)
+    version, data = answers.__getstate__()
+    for bad in [(version, data[:-1]), (version, data + b"x"), ("0.0.1", data), (version, b""), (version,),
+                (version, b"\xff" * len(data))]:
+        with pytest.raises(ValueError, match="pickle is"):
+            ts.Answers.__new__(ts.Answers).__setstate__(bad)
+
+
+def test_slices():
+    answers = ts.solve("point-point", START, END)
+    assert len(answers[1:4]) == 3 and answers[1:4].toi.tolist() == answers.toi[1:4].tolist()
+    assert answers[::-1].toi.tolist() == answers.toi[::-1].tolist() and len(answers[9:]) == 0
+    assert [a.toi for a in answers] == answers.toi.tolist()
+    distances = ts.distance("point-point", START)
+    assert [d.value for d in distances[::2]] == [1, 5, 4] and distances[-1].value == 4
+    with pytest.raises(IndexError, match="no distance 5; there are 5"):
+        distances[5]
+    x = [[0, 0, 0], [4, 0, 0], [0, 4, 0], [1, 1, -1], [1, 1, 1]]
+    found = ts.intersections(ts.Mesh(5, [[0, 1, 2]], [[3, 4]]), x)
+    assert list(found) == [("edge", 0, "face", 0, "pierces")] and len(found[1:]) == 0
+    pairs = ts.candidates(ts.Mesh(3), np.zeros((3, 3)), np.zeros((3, 3)))
+    assert list(pairs[1:]) == [pairs[1], pairs[2]] and len(pairs[1:].separation) == 0
+
+
+def test_tables():
+    pandas = pytest.importorskip("pandas", reason="pandas is not installed")
+    table = ts.solve("point-point", START, END).to_pandas()
+    assert isinstance(table, pandas.DataFrame) and table.shape == (5, 15)
+    assert table.nature[0] == "isolated" and table.toi[1] == 0.5 and table.a0[0] == 1
+    assert ts.distance("point-point", START).to_pandas().value.tolist() == [1, 2, 5, 3, 4]
+    for thing in objects():
+        if hasattr(thing, "to_pandas"):
+            assert len(thing.to_pandas()) == len(thing)
+
+
+def test_names_of_other_programs_are_told():
+    for call, here in [(lambda: ts.solve("point-point", START, END, min_distance=1), "here it is 'separation'"),
+                       (lambda: ts.free_step(ts.Mesh(2), START[0], END[0], num_threads=2), "here it is 'threads'"),
+                       (lambda: ts.solve("point-point", START, END, tmax=1), "here it is 't_max'")]:
+        with pytest.raises(TypeError, match=here):
+            call()
+    with pytest.raises(TypeError, match="unexpected keyword argument 'colour'"):
+        ts.solve("point-point", START, END, colour=1)
+
+
+def test_meshes_of_other_packages():
+    x, face = [[0, 0, 0], [1, 0, 0], [0, 1, 0], [5, 5, 5]], [[0, 1, 2]]
+    thing = types.SimpleNamespace
+    cells = [thing(type="triangle", data=np.array(face)), thing(type="line", data=np.array([[2, 3]]))]
+    for made, edges, points in [
+            (thing(points=np.array(x, np.float32), cells=cells), 4, 0),
+            (thing(vertices=x, faces=face), 3, 0), (thing(vertices=x, triangles=face), 3, 0),
+            (thing(points=x, faces=np.array([3, 0, 1, 2]), lines=np.array([3, 1, 2, 3]), verts=np.array([])), 4, 0),
+            (thing(points=x, faces=np.array([3, 0, 1, 2]), lines=[], verts=np.array([1, 3])), 3, 1),
+            (thing(points=x, lines=[[0, 3], [3, 1]]), 2, 0)]:
+        mesh, positions, parts, face_parts = ts.as_mesh(made)
+        assert (len(mesh.edges), len(mesh.points), positions.tolist(), parts) == (edges, points, x, [])
+    for made, words in [(thing(points=x, cells=[thing(type="quad", data=[[0, 1, 2, 3]])]), "cells of type 'quad'"),
+                        (thing(points=x, faces=np.array([4, 0, 1, 2, 3])), "a face of 4 corners"),
+                        (thing(points=x, faces=np.array([])), "neither faces nor lines")]:
+        with pytest.raises(ValueError, match=words):
+            ts.as_mesh(made)
+    with pytest.raises(TypeError, match="an object of type dict is no mesh"):
+        ts.as_mesh({})
+    meshio = pytest.importorskip("meshio", reason="meshio is not installed")
+    mesh = ts.as_mesh(meshio.Mesh(x, [("triangle", face), ("vertex", [[3]])])).mesh
+    assert (len(mesh.faces), mesh.points.tolist()) == (1, [3])
