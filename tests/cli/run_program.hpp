@@ -41,6 +41,9 @@ Run run_here(const std::function<int()>& command);
 /// The lines of `text`, without their ends.
 std::vector<std::string> lines_of(const std::string& text);
 
+/// The first of them, of a text that has one.
+inline std::string first_line(const std::string& text) { return lines_of(text).front(); }
+
 /// How often `part` occurs in `text`.
 std::size_t occurrences(const std::string& text, const std::string& part);
 

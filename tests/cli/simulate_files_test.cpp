@@ -132,14 +132,14 @@ TEST_CASE("nothing that gnuplot prints reaches the user, and plots are whole or 
   const Run drawn = simulate(draws, "3", "drawn");
   CHECK(drawn.status == 0);
   CHECK(drawn.err == "");
-  CHECK(last_line(drawn.out) == "3 steps, 0 crossings");
+  CHECK(first_line(drawn.out) == "3 steps, 0 crossings");
   CHECK(folder.read("drawn/energies.svg") == "1\n");
   CHECK(folder.read("drawn/energies.png") == "2\n");
 
   const Run still = simulate(draws, "0", "still");
   CHECK(still.status == 0);
   CHECK(still.err == "touchstone: no step was made, so there are no energies to draw\n");
-  CHECK(last_line(still.out) == "0 steps, 0 crossings; warning: only the start was asked about");
+  CHECK(first_line(still.out) == "0 steps, 0 crossings; warning: only the start was asked about");
   CHECK(occurrences(folder.read("still/energies.csv"), "\n") == 2);
   CHECK_FALSE(fs::exists(folder.path("still/energies.svg")));
   CHECK_FALSE(fs::exists(folder.path("still/energies.gp")));
@@ -149,7 +149,7 @@ TEST_CASE("nothing that gnuplot prints reaches the user, and plots are whole or 
   CHECK(failed.status == 2);
   CHECK(occurrences(failed.err, "/fails/gnuplot failed on energies.gp: line 7: nonsense\n") == 1);
   CHECK(occurrences(failed.err, "\n") == 1);
-  CHECK(last_line(failed.out) == "3 steps, 0 crossings");
+  CHECK(first_line(failed.out) == "3 steps, 0 crossings");
   CHECK(occurrences(folder.read("failed/energies.csv"), "\n") == 5);
   CHECK_FALSE(fs::exists(folder.path("failed/energies.svg")));
   std::size_t left = 0;
@@ -178,7 +178,7 @@ TEST_CASE("a file that cannot be written is not there, and keeps none of the oth
   arguments.insert(arguments.end(), files.begin(), files.end());
   const Run at_the_end = run_program(arguments);
   check_rest(at_the_end, "20");
-  CHECK(last_line(at_the_end.out) == "20 steps, 0 crossings");
+  CHECK(first_line(at_the_end.out) == "20 steps, 0 crossings");
 
   // In the middle of the run: the table is longer than the part of it that stays in memory.
   arguments[3] = "5000";

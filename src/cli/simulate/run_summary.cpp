@@ -25,13 +25,25 @@ void StepTotals::add(const std::vector<sim::SubstepRecord>& records) {
 
 std::string simulation_for_person(const sim::Simulation& simulation, const StepTotals& totals,
                                   std::string_view run_times) {
-  std::string text;
   constexpr std::size_t kMostShown = 20;
   const auto& crossings = simulation.crossings();
+  std::string text = fmt::format("{} steps, {} crossings{}\n", totals.steps, crossings.size(),
+                                 sim::left_out_for_person(simulation, totals.steps));
   for (std::size_t i = 0; i < crossings.size() && i < kMostShown; ++i) {
     text += "crossing: " + sim::crossing_for_person(simulation, crossings[i]) + "\n";
   }
   if (crossings.size() > kMostShown) text += fmt::format("crossing: {} more\n", grouped(crossings.size() - kMostShown));
+  text += sim::checked_for_person(simulation, totals.steps);
+  if (simulation.ignores_radii()) {
+    text += "the radii of the scene were left aside: the narrow phase of the paper knows no separation\n";
+  } else if (simulation.has_separations()) {
+    text += totals.separated > 0
+                ? fmt::format(
+                      "every pair asked about stayed farther apart than its separation ({}, with separations "
+                      "of up to {} m)\n",
+                      counted(totals.separated, "pair"), totals.largest_separation)
+                : "no pair with a separation came near enough to be asked about\n";
+  }
   const auto& refused = simulation.refused();
   if (totals.substeps > totals.steps) {
     text += fmt::format(
@@ -55,20 +67,7 @@ std::string simulation_for_person(const sim::Simulation& simulation, const StepT
         fmt::format("{} of first order, by implicit-euler: the scene's integrator gained energy or did not converge\n",
                     counted(totals.first_order, "part"));
   }
-  text += run_times;
-  if (simulation.ignores_radii()) {
-    text += "the radii of the scene were left aside: the narrow phase of the paper knows no separation\n";
-  } else if (simulation.has_separations()) {
-    text += totals.separated > 0
-                ? fmt::format(
-                      "every pair asked about stayed farther apart than its separation ({}, with separations "
-                      "of up to {} m)\n",
-                      counted(totals.separated, "pair"), totals.largest_separation)
-                : "no pair with a separation came near enough to be asked about\n";
-  }
-  text += sim::checked_for_person(simulation, totals.steps);
-  return text + fmt::format("{} steps, {} crossings{}\n", totals.steps, crossings.size(),
-                            sim::left_out_for_person(simulation, totals.steps));
+  return text.append(run_times);
 }
 
 std::string run_times_for_person(const sim::Simulation& simulation, double rate) {
