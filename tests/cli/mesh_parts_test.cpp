@@ -133,6 +133,38 @@ TEST_CASE("a step from a frame that intersects itself has no distance, in a shar
   }
 }
 
+TEST_CASE("files are the parts of one scene, with the numbers and names of each") {
+  const TemporaryFolder folder;
+  const std::string low = folder.write("low.obj", "o x\nv 0 0 0\nv 4 0 0\nv 0 4 0\nf 1 2 3\n"),
+                    high = folder.write("high.off", "OFF 3 1 0\n1 1 1\n2 1 2\n1 2 2\n3 0 1 2\n"),
+                    wire = folder.write("wire.obj", "v 9 9 9\nv 0.5 0.5 -1\nv 0.5 0.5 0.25\nl 2 3\n"),
+                    flat = folder.write("flat.npy", npy_of({"v 0 0\n"}, 1, 2));
+  const Run run = mesh({"--check", "--parts", "--clearance", "--between-parts", low, high});
+  CHECK(run.status == 0);
+  CHECK(run.out.starts_with(
+      "low.obj + high.off: no intersection; least distance 1: vertex 0 of high and face 1 (1-2-3) of low\n"));
+  const Run all = mesh({"--check", "--parts", "--between-parts", low, high, wire, "--report", folder.path("r.json")});
+  CHECK(all.status == 1);
+  CHECK(occurrences(all.out, "edge 2-3 of wire pierces face 1 (1-2-3) of low") == 1);
+  const auto report = nlohmann::json::parse(folder.read("r.json"));
+  CHECK(report["frames"][0]["name"] == "low.obj + high.off + wire.obj");
+  CHECK(report["results"][0]["intersections"][0]["first"]["part"] == "wire");
+  CHECK(mesh({"--check", "--parts", "--only-between", "low,high", low, high, wire}).status == 0);
+  CHECK(mesh({"--check", "--parts", "--ignore", "low,wire", low, high, wire}).status == 0);
+  folder.write("b/low.obj", two_tetrahedra(5));
+  const Run same = mesh({"--check", "--parts", "--only-between", "*,nothing", low, folder.path("b/low.obj")});
+  CHECK(occurrences(same.err, "/b/low.obj") == 1);
+  const auto refused = [](const std::vector<std::string>& arguments, const std::string& words) {
+    const Run bad = mesh(arguments);
+    CAPTURE(bad.err, words);
+    CHECK(bad.status == 2);
+    CHECK(occurrences(bad.err, words) == 1);
+  };
+  refused({"--parts", low, high}, "--parts requires --check");
+  refused({"--check", "--parts", low, low}, "is given twice");
+  refused({"--check", "--parts", low, flat}, "is a mesh in the plane");
+}
+
 TEST_CASE("frames of other parts are refused where parts are asked about") {
   const TemporaryFolder folder;
   const std::string one = folder.write("p-1.obj", two_tetrahedra(1));

@@ -27,6 +27,7 @@
 #include "sequence/checks.hpp"
 #include "sequence/element_names.hpp"
 #include "sequence/frame_list.hpp"
+#include "sequence/joined_parts.hpp"
 #include "sequence/report_json.hpp"
 
 namespace touchstone::cli {
@@ -37,6 +38,13 @@ using sequence::FrameName;
 using sequence::Question;
 
 std::vector<FrameName> frames_to_check(const MeshRunOptions& options, const frames::ReadOptions& reading) {
+  if (options.as_parts) {
+    FrameName scene;
+    scene.parts = sequence::expand_patterns(options.files);
+    sequence::refuse_repeats(scene.parts);
+    scene.file = scene.parts.front();
+    return {scene};
+  }
   const auto gaps = options.check ? sequence::Gaps::allowed : sequence::Gaps::refused;
   const auto files = options.in_order ? sequence::as_given(options.files)
                                       : sequence::in_order(sequence::expand_patterns(options.files), gaps);
@@ -67,6 +75,7 @@ void check_files(const MeshRunOptions& options, const std::vector<FrameName>& na
   std::vector<std::string> inputs;
   for (const auto& name : names) {
     if (name.index == 0) inputs.push_back(name.file);
+    inputs.insert(inputs.end(), name.parts.begin(), name.parts.end());
   }
   if (!options.topology.empty()) inputs.push_back(options.topology);
   if (options.pairs == "-") throw Error("--pairs: name a file to write");
@@ -256,8 +265,18 @@ std::string question_for_person(Question question, const Separation& separation)
 
 std::shared_ptr<const Frame> read(const FrameName& name, const frames::ReadOptions& reading,
                                   const std::shared_ptr<const frames::Topology>& earlier, sequence::Repairs& repairs) {
-  auto frame = std::make_shared<Frame>(frames::read_frame(name.file, name.index, reading, earlier));
-  repairs.mend(*frame, name);
+  std::shared_ptr<Frame> frame;
+  if (name.parts.empty()) {
+    frame = std::make_shared<Frame>(frames::read_frame(name.file, name.index, reading, earlier));
+    repairs.mend(*frame, name);
+  } else {
+    std::vector<Frame> parts;
+    for (const std::string& file : name.parts) {
+      parts.push_back(frames::read_frame(file, 0, reading));
+      repairs.mend(parts.back(), {file});
+    }
+    frame = std::make_shared<Frame>(sequence::joined_parts(name.parts, parts));
+  }
   sequence::check_positions(*frame, name);
   return frame;
 }
@@ -298,7 +317,7 @@ int run_mesh(const MeshRunOptions& options) {
   const int threads = thread_count(options.threads);
 
   // The first frame is read alone: the other ones share its elements.
-  sequence::Repairs repairs(options.repairs, may_differ(options));
+  sequence::Repairs repairs(options.repairs, may_differ(options) || options.as_parts);
   const auto first = read(names[range.first], reading, nullptr, repairs);
   const std::string& first_file = elements_file(options, names[range.first]);
   heading.parts = sequence::part_rules_of(*first->topology, options.parts, first_file);

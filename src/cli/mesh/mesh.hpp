@@ -17,6 +17,7 @@ struct MeshRunOptions {
   std::vector<std::string> files;  ///< as given; patterns are not expanded yet
   bool in_order = false;           ///< the files are frames in the order given, whatever their names are
   bool check = false;              ///< asks about each frame at rest
+  bool as_parts = false;           ///< the files are the parts of one frame
   SeparationOption separation;
   sequence::PartOptions parts;
   sequence::RepairOptions repairs;

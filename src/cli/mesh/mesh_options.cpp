@@ -40,6 +40,12 @@ void add_mesh(CLI::App& program, Command& command) {
   subcommand->add_flag("--in-order", options->in_order,
                        "The files are the frames of one animation in the order given, whatever their names are. With "
                        "--check, each file is a frame by itself, and their elements may differ");
+  subcommand
+      ->add_flag("--parts", options->as_parts,
+                 "The files are the parts of one scene, which --check asks about together. A part has the name of its "
+                 "file, whatever objects the file has")
+      ->needs(check)
+      ->excludes("--in-order");
   subcommand->add_flag("--weld", options->repairs.weld,
                        "Elements name the first of the vertices at exactly one position in place of the others: for "
                        "meshes with a vertex for each face. The first frame says which");
@@ -109,7 +115,8 @@ void add_mesh(CLI::App& program, Command& command) {
       ->add_option(
           "--html", options->html,
           "Write a page with the animation, its contacts and its intersections. It is one file, for any browser")
-      ->type_name("PAGE.html");
+      ->type_name("PAGE.html")
+      ->excludes("--parts");
   subcommand
       ->add_option("--prove", options->prove,
                    "Write the frames' positions as FOLDER/motion.txt and a proof for each pair of each step as "
@@ -149,9 +156,9 @@ void add_mesh(CLI::App& program, Command& command) {
   }
   subcommand->footer(
       "Vertices move on straight lines from each frame to the next. Files whose names differ in one number are sorted\n"
-      "by it, and a missing number is an error. Files of other names are frames with --in-order only: parts of one "
+      "by it, and a missing number is an error. Files of other names are frames with --in-order only, and parts of one "
       "scene\n"
-      "belong in one file. All frames must have the same vertices and elements. The first frame must not intersect\n"
+      "with --parts. All frames must have the same vertices and elements. The first frame must not intersect\n"
       "itself. Decimal coordinates are taken as the nearest doubles, and those are compared exactly.\n\n"
       "Examples\n"
       "  touchstone mesh cloth-*.obj\n"
@@ -159,6 +166,7 @@ void add_mesh(CLI::App& program, Command& command) {
       "  touchstone mesh --shard 2/4 --report part-2.json cloth-*.obj\n"
       "  touchstone mesh --check body.ply\n"
       "  touchstone mesh --check --clearance --between-parts engine.obj\n"
+      "  touchstone mesh --check --parts --clearance --between-parts hull.stl wheel-*.stl\n"
       "  touchstone mesh --clearance --only-between 'gripper*,bottle' grasp-*.obj\n"
       "  touchstone mesh --in-order rest.obj bent.obj\n"
       "  touchstone mesh --html cloth.html cloth-*.obj\n"

@@ -88,7 +88,9 @@ std::string intersections_of(const sequence::Result& result) {
 
 /// Whether the edge of a fold is one of a triangle that --triangulate cut from the same polygon as the face.
 bool is_within_polygon(const sequence::RestContact& contact, const frames::Topology& topology) {
-  if (contact.sort != IntersectionSort::folds || contact.second.element != MeshElement::face) return false;
+  if (!topology.vertex_numbers.empty() || contact.sort != IntersectionSort::folds ||
+      contact.second.element != MeshElement::face)
+    return false;
   const auto& numbers = topology.face_numbers;  // in ascending order
   const auto [first, last] = std::equal_range(numbers.begin(), numbers.end(), contact.second.face);
   const auto* const faces = topology.faces.data();

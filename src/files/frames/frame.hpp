@@ -31,6 +31,18 @@ struct Topology {
   /// first_number + i.
   std::vector<MeshIndex> face_numbers;
 
+  /// The number in its file of each vertex; empty when vertex i has the number first_number + i. Then vertex_parts says
+  /// which file that is.
+  std::vector<MeshIndex> vertex_numbers;
+  std::vector<std::uint32_t> vertex_parts;  ///< for each vertex, an index into parts; empty without such numbers
+
+  MeshIndex number_of_vertex(std::size_t v) const noexcept {
+    return vertex_numbers.empty() ? first_number + static_cast<MeshIndex>(v) : vertex_numbers[v];
+  }
+  MeshIndex number_of_face(std::size_t f) const noexcept {
+    return face_numbers.empty() ? first_number + static_cast<MeshIndex>(f) : face_numbers[f];
+  }
+
   std::vector<std::string> parts;         ///< the names of objects and groups, each once
   std::vector<std::uint32_t> face_parts;  ///< for each face, an index into parts; empty without names
 

@@ -24,24 +24,18 @@ using frames::Topology;
 
 Positions positions_of(const Frame& frame) { return {frame.positions, frame.topology->dimension}; }
 
-std::uint64_t number_in_file(const Topology& topology, std::uint64_t vertex) { return vertex + topology.first_number; }
-
-std::uint64_t face_number(const Topology& topology, std::size_t face) {
-  return topology.face_numbers.empty() ? number_in_file(topology, face) : topology.face_numbers[face];
-}
-
 template <std::size_t N>
 std::string corners_text(const Topology& topology, const std::array<MeshIndex, N>& corners) {
   std::string text;
   for (const MeshIndex corner : corners) {
-    text += fmt::format("{}{}", text.empty() ? "" : " ", number_in_file(topology, corner));
+    text += fmt::format("{}{}", text.empty() ? "" : " ", topology.number_of_vertex(corner));
   }
   return text;
 }
 
 /// The name of element i in messages.
 std::string element_name(const Topology& topology, const std::array<MeshIndex, 3>&, std::size_t i) {
-  return fmt::format("face {}", face_number(topology, i));
+  return fmt::format("face {}", topology.number_of_face(i));
 }
 std::string element_name(const Topology& topology, const std::array<MeshIndex, 2>& corners, std::size_t) {
   return fmt::format("edge {}", corners_text(topology, corners));
@@ -57,7 +51,7 @@ void refuse_faults(const Topology& topology, const std::vector<std::array<MeshIn
     for (std::size_t k = 0; k < N; ++k) {
       if (corners[k] >= topology.vertex_count) {
         io::fail(file, fmt::format("{} names vertex {}, and there are only {}", element_name(topology, corners, i),
-                                   number_in_file(topology, corners[k]), topology.vertex_count));
+                                   topology.number_of_vertex(corners[k]), topology.vertex_count));
       }
       if (std::find(corners.begin(), corners.begin() + static_cast<std::ptrdiff_t>(k), corners[k]) ==
           corners.begin() + static_cast<std::ptrdiff_t>(k)) {
@@ -65,7 +59,7 @@ void refuse_faults(const Topology& topology, const std::vector<std::array<MeshIn
       }
       io::fail(file, fmt::format("{} names vertex {} twice; its corners must be {} different vertices (mesh "
                                  "--drop-degenerate leaves such elements out)",
-                                 element_name(topology, corners, i), number_in_file(topology, corners[k]), N));
+                                 element_name(topology, corners, i), topology.number_of_vertex(corners[k]), N));
     }
   }
   std::vector<std::pair<std::array<MeshIndex, N>, std::size_t>> sorted;
@@ -129,7 +123,7 @@ void check_same(const Topology& before, const std::vector<std::array<MeshIndex, 
                 const FrameName& name_before, const FrameName& name_after) {
   for (std::size_t i = 0; i < old_elements.size(); ++i) {
     if (old_elements[i] == new_elements[i]) continue;
-    const std::uint64_t number = N == 3 ? face_number(after, i) : number_in_file(after, i);
+    const std::uint64_t number = N == 3 ? after.number_of_face(i) : after.number_of_vertex(i);
     refuse_change(name_before, name_after,
                   fmt::format("{} {} has the vertices {}, not {}", sort, number, corners_text(after, new_elements[i]),
                               corners_text(before, old_elements[i])));
@@ -212,7 +206,7 @@ void check_positions(const Frame& frame, const FrameName& name) {
   const auto at = static_cast<std::size_t>(found - frame.positions.begin());
   io::fail(name.file, fmt::format("{}vertex {} has {} = {}; coordinates must be finite",
                                   name.several ? fmt::format("in frame {}, ", name.index) : std::string(),
-                                  number_in_file(*frame.topology, at / dimension), "xyz"[at % dimension], *found));
+                                  frame.topology->number_of_vertex(at / dimension), "xyz"[at % dimension], *found));
 }
 
 void check_same_elements(const Topology& before, const FrameName& name_before, const Topology& after,

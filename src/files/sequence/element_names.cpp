@@ -68,7 +68,7 @@ std::size_t closed_polygons(const Mesh& mesh, const std::vector<std::size_t>& de
 NamedElement ElementNames::vertex(MeshIndex v) {
   NamedElement named;
   named.element = MeshElement::vertex;
-  named.vertices[0] = std::uint64_t{v} + topology_.first_number;
+  named.vertices[0] = topology_.number_of_vertex(v);
   named.part = part_with(&v, 1);
   return named;
 }
@@ -77,7 +77,7 @@ NamedElement ElementNames::edge(MeshIndex e) {
   NamedElement named;
   named.element = MeshElement::edge;
   const auto& corners = mesh_.edges()[e];
-  for (std::size_t i = 0; i < 2; ++i) named.vertices[i] = std::uint64_t{corners[i]} + topology_.first_number;
+  for (std::size_t i = 0; i < 2; ++i) named.vertices[i] = topology_.number_of_vertex(corners[i]);
   named.part = part_with(corners.data(), corners.size());
   return named;
 }
@@ -86,8 +86,8 @@ NamedElement ElementNames::face(MeshIndex f) {
   NamedElement named;
   named.element = MeshElement::face;
   const auto& corners = mesh_.faces()[f];
-  for (std::size_t i = 0; i < 3; ++i) named.vertices[i] = std::uint64_t{corners[i]} + topology_.first_number;
-  named.face = topology_.face_numbers.empty() ? std::uint64_t{f} + topology_.first_number : topology_.face_numbers[f];
+  for (std::size_t i = 0; i < 3; ++i) named.vertices[i] = topology_.number_of_vertex(corners[i]);
+  named.face = topology_.number_of_face(f);
   named.part = part_of_face(f);
   return named;
 }
@@ -114,6 +114,7 @@ std::string ElementNames::part_of_face(MeshIndex f) const {
 }
 
 std::string ElementNames::part_with(const MeshIndex* corners, std::size_t count) {
+  if (!topology_.vertex_parts.empty()) return shown_part(topology_.parts[topology_.vertex_parts[corners[0]]]);
   if (topology_.face_parts.empty()) return {};
   find_faces_of_vertices();
   for (std::size_t i = first_face_[corners[0]]; i < first_face_[corners[0] + std::size_t{1}]; ++i) {

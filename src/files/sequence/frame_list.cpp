@@ -215,6 +215,11 @@ std::vector<std::string> frames_in(std::string folder) {
 }  // namespace
 
 std::string FrameName::label() const {
+  if (!parts.empty()) {
+    std::string names;
+    for (const std::string& part : parts) names += (names.empty() ? "" : " + ") + base_name(part);
+    return names;
+  }
   std::filesystem::path path = folders == 0 ? std::filesystem::path(file) : with_one_spelling(file);
   std::filesystem::path shown = path.filename();
   for (std::size_t i = 0; i < folders && path.has_parent_path(); ++i) {

@@ -14,10 +14,11 @@ namespace touchstone::sequence {
 
 /// Where one frame is.
 struct FrameName {
-  std::string file;         ///< as it was given
-  std::size_t index = 0;    ///< which frame of the file
-  bool several = false;     ///< whether the file holds several frames
-  std::size_t folders = 0;  ///< how many of its folders the label has
+  std::string file;                     ///< as it was given
+  std::size_t index = 0;                ///< which frame of the file
+  bool several = false;                 ///< whether the file holds several frames
+  std::size_t folders = 0;              ///< how many of its folders the label has
+  std::vector<std::string> parts = {};  ///< the files of a scene, in place of `file`; empty: it is one
 
   /// The frame in a report and in messages: the file's name, with folders where several files have one name, and "[7]"
   /// when the file holds several frames. It is one line of valid UTF-8, whatever the file is called.

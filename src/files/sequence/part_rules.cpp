@@ -89,13 +89,15 @@ CollisionRules collision_rules(const frames::Topology& topology, const PartRules
   if (rules.empty()) return collision;
   const auto none = static_cast<MeshIndex>(topology.parts.size());
   collision.groups.assign(topology.vertex_count, none);
+  if (!topology.vertex_parts.empty())
+    collision.groups.assign(topology.vertex_parts.begin(), topology.vertex_parts.end());
   for (std::size_t f = 0; f < topology.face_parts.size(); ++f) {
     for (const MeshIndex corner : topology.faces[f]) {
       MeshIndex& group = collision.groups[corner];
       if (group != none && group != topology.face_parts[f]) {
         io::fail(file, fmt::format("vertex {} is in the parts {} and {}: elements there are of both. Parts that are "
                                    "asked about one by one must not share vertices",
-                                   corner + topology.first_number, io::printable(topology.parts[group]),
+                                   topology.number_of_vertex(corner), io::printable(topology.parts[group]),
                                    io::printable(topology.parts[topology.face_parts[f]])));
       }
       group = topology.face_parts[f];
