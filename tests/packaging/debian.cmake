@@ -113,8 +113,8 @@ if(PROGRAM)
 endif()
 if(PYTHON)
   run(${CMAKE_COMMAND} -E env PYTHONPATH=${root}/usr/lib/python3/dist-packages ${PYTHON} -c
-    "import touchstone as t\nprint(t.__version__, t.solve('point-point', [[0, 0], [2, 0]], [[1, 0], [1, 0]]).toi)")
-  if(NOT output STREQUAL "${VERSION} 1.0\n")
+    "import importlib.metadata as m, touchstone as t\nprint(m.version('touchstone'), t.__version__, t.solve('point-point', [[0, 0], [2, 0]], [[1, 0], [1, 0]]).toi)")
+  if(NOT output STREQUAL "${VERSION} ${VERSION} 1.0\n")
     message(FATAL_ERROR "the installed Python module says: ${output}")
   endif()
   file(GLOB_RECURSE caches ${root}/usr/*.pyc)  # Python wrote them, not the package

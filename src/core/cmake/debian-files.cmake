@@ -21,11 +21,10 @@ foreach(entry ${packages})
   endif()
   configure_file(${CPACK_RESOURCE_FILE_LICENSE} ${root}/share/doc/${package}/copyright COPYONLY)
 
-  file(GLOB modules ${root}/lib/python3.*/site-packages/touchstone)  # Debian's Python looks in one place for all versions
-  foreach(module ${modules})
-    file(MAKE_DIRECTORY ${root}/lib/python3/dist-packages)
-    file(RENAME ${module} ${root}/lib/python3/dist-packages/touchstone)
-    get_filename_component(folder ${module} DIRECTORY)
+  file(GLOB folders ${root}/lib/python3.*/site-packages)  # Debian's Python looks in one place for all versions
+  foreach(folder ${folders})
+    file(MAKE_DIRECTORY ${root}/lib/python3)
+    file(RENAME ${folder} ${root}/lib/python3/dist-packages)
     get_filename_component(folder ${folder} DIRECTORY)
     file(REMOVE_RECURSE ${folder})
   endforeach()
