@@ -122,6 +122,8 @@ TEST_CASE_WITH("bash", "bash completes every subcommand, option and value that -
   CHECK(bash_completes(script, here, {"touchstone", "stress", "--out", "a"}) == WordSet{"a folder"});
   CHECK(bash_completes(script, here, {"touchstone", "stress", "--seed", ""}) == WordSet{});
   CHECK(bash_completes(script, here, {"touchstone", "doctor", ""}) == WordSet{});
+  CHECK(bash_completes(script, here, {"touchstone", "simulate", "hoop-"}) == WordSet{"hoop-rim"});
+  CHECK(bash_completes(script, here, {"touchstone", "simulate", "a."}) == WordSet{"a.csv"});
   CHECK(bash_completes(script, here, {"touchstone", "juggle", ""}) == WordSet{});
 }
 
@@ -156,6 +158,7 @@ TEST_CASE_WITH("zsh", "zsh's completion names every subcommand, option and value
       CHECK(occurrences(lines, "\n" + option + "[") + occurrences(lines, "\n*" + option + "[") > 0);
     }
   }
+  CHECK(occurrences(specs("arguments", "simulate"), ":SCENE:{ compadd two-edges ") == 1);
   CHECK(occurrences(specs("arguments", "solve"), ":KIND:(edge-edge vertex-face point-edge point-point)") == 1);
 }
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "cli/shared/words.hpp"
 
+#include "cli/run_program.hpp"
 #include "support/catch.hpp"
 
 using namespace touchstone;
@@ -40,4 +41,17 @@ TEST_CASE("the explain command can be pasted into a shell") {
         "touchstone explain --query 0 -- -x/edge-edge/a.csv");
   CHECK(shell_word("") == "''");
   CHECK(shell_word("it's\\ \x1b[1m\n\xe2\x80\xae") == "$'it\\'s\\\\ \\x1b[1m\\n\\xe2\\x80\\xae'");
+}
+
+TEST_CASE("a verdict's colour ends before what it is about, and only a terminal gets it") {
+  using cli::VerdictLine;
+  CHECK(cli::with_colour("2 steps, all free (3 vertices); x\n", VerdictLine::first, true) ==
+        "\033[32m2 steps, all free\033[0m (3 vertices); x\n");
+  CHECK(cli::with_colour("a\n1 step: 0 free; x (y)\n", VerdictLine::last, false) ==
+        "a\n\033[31m1 step: 0 free\033[0m; x (y)\n");
+  CHECK(cli::with_colour("3 steps, 0 crossings\nrest (x)\n", VerdictLine::first, true) ==
+        "\033[32m3 steps, 0 crossings\033[0m\nrest (x)\n");
+  CHECK(cli::with_colour("x", VerdictLine::last, true) == "\033[32mx\033[0m");
+  CHECK(cli::with_colour("", VerdictLine::last, true) == "");
+  CHECK(tests::run_program({"certify"}).out.find('\033') == std::string::npos);
 }

@@ -103,11 +103,8 @@ bool counts(const CertifyOptions& options, const Claim& claim, const Answer& ans
     ++not_counted.other;
     return false;
   }
-  // A late time as written may round to the answer's toi.
-  if (verdict != Verdict::late || !options.late ||
-      !options.late->allows(answer.toi, std::max(*claim.toi, answer.toi))) {
-    return true;
-  }
+  const bool is_late = verdict == Verdict::late && options.late;
+  if (!is_late || !options.late->allows(answer.toi, certify::late_until(*claim.toi, answer.toi))) return true;
   ++not_counted.late;
   return false;
 }
@@ -304,7 +301,9 @@ int run_certify(const CertifyOptions& options) {
   turns.tell();
   if (options.report != "-" && options.proofs != "-") {
     auto console = io::OutputFile::standard_output();
-    console.write(summary(options, left_out, inputs, questions, tally, not_counted, first_refuted, seconds, threads));
+    const std::string text =
+        summary(options, left_out, inputs, questions, tally, not_counted, first_refuted, seconds, threads);
+    console.write(in_colour(text, VerdictLine::first, tally.verdicts.refuted() == not_counted.claims()));
     console.commit();
   }
   return tally.verdicts.refuted() == not_counted.claims() ? kAllHold : kRefuted;

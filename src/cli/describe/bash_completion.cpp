@@ -53,6 +53,9 @@ std::string bash_completion(const ProgramFacts& program) {
   for (const auto& command : program.commands) {
     text += "    " + command.name + ") options='" + names_of(command) + "'";
     if (command.positionals.empty()) text += " wanted=nothing";
+    if (!command.positionals.empty() && !command.positionals.front().words.empty()) {
+      text += " words='" + joined(command.positionals.front().words) + "' wanted=either";
+    }
     text += " ;;\n";
   }
   text += "    *) return ;;\n  esac\n  case $command:$previous in\n";
@@ -66,6 +69,7 @@ std::string bash_completion(const ProgramFacts& program) {
   fi
   case $wanted in
     words) mapfile -t COMPREPLY < <(compgen -W "$words" -- "$current") ;;
+    either) mapfile -t COMPREPLY < <(compgen -W "$words" -- "$current"; compgen -f -- "$current") ;;
     files | folders)
       compopt -o filenames 2>/dev/null  # it needs a completion that is under way
       if [[ $wanted == files ]]; then

@@ -76,7 +76,7 @@ std::string option_text(const OptionFacts& option, bool positional) {
   if (option.repeated) heading += " ...";
   if (option.required) heading += " (required)";
   std::string text = ".TP\n" + heading + "\n" + plain(option.description) + "\n";
-  if (!option.words.empty()) text += ".br\nOne of: " + plain(joined(option.words, ", ")) + "\n";
+  if (!option.words.empty() && !positional) text += ".br\nOne of: " + plain(joined(option.words, ", ")) + "\n";
   return text;
 }
 

@@ -14,7 +14,8 @@ namespace touchstone::cli {
 struct OptionFacts {
   std::vector<std::string> names;  ///< "-h", "--help"; of a positional argument its name
   std::string value;               ///< "FILE"; empty: it takes none
-  std::vector<std::string> words;  ///< the only values that it takes; empty: others
+  std::vector<std::string>
+      words;  ///< the only values that it takes, or beside files for a positional one; empty: others
   std::string description;
   bool required = false;
   bool repeated = false;  ///< it takes several values

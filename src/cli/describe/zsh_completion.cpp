@@ -68,7 +68,8 @@ std::string zsh_completion(const ProgramFacts& program) {
     text += "        " + command.name + ") _arguments" + arguments(command);
     for (const auto& positional : command.positionals) {
       std::string spec = positional.repeated ? "*:" : ":";
-      spec.append(positional.names.front()).append(":_files");
+      spec.append(positional.names.front()).append(":");
+      spec += positional.words.empty() ? "_files" : "{ compadd " + joined(positional.words) + "; _files }";
       text.append(" \\\n        ").append(in_quotes(spec));
     }
     text += " ;;\n";

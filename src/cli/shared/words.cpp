@@ -2,6 +2,10 @@
 #include "cli/shared/words.hpp"
 
 #include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdlib>
 
 #include <cstdio>
 
@@ -30,6 +34,23 @@ std::string contact_for_person(const Answer& answer) {
   if (!answer.contact) return "no contact";
   if (answer.feature_a == Feature::overlap) return fmt::format("{}, overlap", name_of(answer.nature));
   return fmt::format("{}, {} against {}", name_of(answer.nature), name_of(answer.feature_a), name_of(answer.feature_b));
+}
+
+std::string with_colour(std::string text, VerdictLine line, bool good) {
+  if (text.empty()) return text;
+  const std::size_t before = line == VerdictLine::first ? std::string::npos : text.rfind('\n', text.size() - 2);
+  const std::size_t start = before == std::string::npos ? 0 : before + 1;
+  std::size_t end = text.find('\n', start);
+  for (const char* mark : {" (", ";"}) end = std::min(end, text.find(mark, start));
+  text.insert(std::min(end, text.size()), "\033[0m");
+  return text.insert(start, good ? "\033[32m" : "\033[31m");
+}
+
+std::string in_colour(const std::string& text, VerdictLine line, bool good) {
+  const char *const no_colour = std::getenv("NO_COLOR"), *const terminal = std::getenv("TERM");
+  const bool colours = ::isatty(STDOUT_FILENO) == 1 && (no_colour == nullptr || *no_colour == '\0') &&
+                       terminal != nullptr && std::string_view(terminal) != "dumb";
+  return colours ? with_colour(text, line, good) : text;
 }
 
 std::string fault_of_number(std::string_view text) { return std::string(" ").append(io::fault_of_double(text)); }

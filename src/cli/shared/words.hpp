@@ -29,6 +29,16 @@ std::string time_for_person(double time);
 /// The nature and the features of a contact: "crossing, a against b1"; "no contact".
 std::string contact_for_person(const Answer& answer);
 
+/// Where the verdict of a text is.
+enum class VerdictLine { first, last };
+
+/// The text for standard output: where that is a terminal with colours, and NO_COLOR is not set, the verdict is green or
+/// red, as far as its first bracket or semicolon.
+std::string in_colour(const std::string& text, VerdictLine line, bool good);
+
+/// The same for a terminal with colours.
+std::string with_colour(std::string text, VerdictLine line, bool good);
+
 /// Writes `text` unchanged to standard error. A write that fails is ignored.
 void print_error(const std::string& text) noexcept;
 

@@ -95,8 +95,9 @@ int simulate(sim::Simulation& simulation, const SimulateOptions& options, io::Ou
   } catch (const Error&) {
     unwritten = std::current_exception();
   }
-  console.write(simulation_for_person(simulation, run.totals, run_times_for_person(simulation, run.rate)) +
-                output.proofs_summary() + output.page_summary());
+  const std::string summary = simulation_for_person(simulation, run.totals, run_times_for_person(simulation, run.rate));
+  console.write(in_colour(summary, VerdictLine::first, simulation.crossings().empty()) + output.proofs_summary() +
+                output.page_summary());
   console.commit();
   if (unwritten) std::rethrow_exception(unwritten);
   if (const std::string hint = output.draw(); !hint.empty()) print_error(fmt::format("touchstone: {}\n", hint));

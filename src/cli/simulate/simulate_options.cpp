@@ -14,12 +14,15 @@ void add_simulate(CLI::App& program, Command& command) {
   const auto options = std::make_shared<SimulateOptions>();
   CLI::App* const subcommand =
       program.add_subcommand("simulate", "Move particles, springs and cables that collide, and prove each step");
-  std::string scenes;
+  std::string scenes, names;
   for (const auto& shipped : sim::shipped_scenes()) {
+    names.append(names.empty() ? "" : ",").append(shipped.name);
     scenes += fmt::format("  {:12} {} (--size: {}, {} to {}; {})\n", shipped.name, shipped.about, shipped.size_means,
                           shipped.least, shipped.most, shipped.usual);
   }
-  subcommand->add_option("SCENE", options->scene, "A scene that comes with the program, or a JSON file")->type_name("");
+  subcommand->add_option("SCENE", options->scene, "A scene that comes with the program, or a JSON file")
+      ->type_name("SCENE:{" + names + "}")  // for the completions: the footer has the list
+      ->option_text(" ");
   subcommand->add_option("--size", options->size, "The size of a scene that comes with the program")
       ->type_name("N")
       ->check(CLI::Range(std::uint32_t{1}, std::numeric_limits<std::uint32_t>::max()));
@@ -117,7 +120,7 @@ void add_simulate(CLI::App& program, Command& command) {
   subcommand->footer(
       "Scenes\n" + scenes +
       "\nUnits are SI. A step that would let two elements touch, or come within the sum of their radii, "
-      "is not\ntaken: it is tried again in shorter substeps. The last line is `N steps, 0 crossings` and all that was "
+      "is not\ntaken: it is tried again in shorter substeps. The first line is `N steps, 0 crossings` and all that was "
       "left out.\n\n"
       "Examples\n"
       "  touchstone simulate hoop --out hoop\n"

@@ -16,6 +16,7 @@ std::string counted(std::uint64_t number, std::string_view thing) {
   if (number == 1) return text.append(thing);
   if (thing.ends_with('y')) return text.append(thing.substr(0, thing.size() - 1)).append("ies");    // queries
   if (thing.ends_with("ex")) return text.append(thing.substr(0, thing.size() - 2)).append("ices");  // vertices
+  if (thing.ends_with("sh")) return text.append(thing).append("es");                                // meshes
   return text.append(thing).append("s");
 }
 
