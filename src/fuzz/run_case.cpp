@@ -11,8 +11,8 @@
 
 namespace touchstone::fuzz {
 
-std::optional<Finding> run_case(SolverUnderTest& solver, const CaseName& name, const Settings& settings,
-                                const std::function<bool()>& stop) {
+CaseOutcome run_case(SolverUnderTest& solver, const CaseName& name, const Settings& settings,
+                     const std::function<bool()>& stop) {
   const numbers::DefaultFloatEnvironment environment;
   supported_kinds(solver, {name.start.kind});
   const JudgedSolver judged(solver, settings);
@@ -20,12 +20,12 @@ std::optional<Finding> run_case(SolverUnderTest& solver, const CaseName& name, c
   check_sort(solver, is_curved(asked.query));
   const Answer truth = judged.truth(asked);
   const auto [reply, failure, allowed] = judged.ask(asked, truth);
-  if (!failure) return std::nullopt;
+  if (!failure) return {std::nullopt, allowed};
   Findings findings;
   findings.add(*failure, name, asked, reply, truth);
   Finding finding = std::move(findings.take(1).front());
   shrink_finding(finding, solver, settings, stop);
-  return finding;
+  return {std::move(finding)};
 }
 
 namespace {

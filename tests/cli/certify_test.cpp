@@ -193,6 +193,11 @@ TEST_CASE("claims that are late within a limit, or wrong in other ways, are coun
                              "missed, late (claims of "));
   CHECK(json::parse(folder.read("r.json"))["not_counted"]["other_classes"] ==
         json{{"claims", 1}, {"than", {"missed", "late"}}});
+  // A late time with more digits than a double has is late by one double, not by none.
+  folder.write("c.csv", "query,contact,toi\n0,1,0.33333333333333333333333334\n1,0,\n");
+  CHECK(certify({"--late", "0"}).status == 1);
+  CHECK(certify({"--late", "0ulps"}).status == 1);
+  CHECK(certify({"--late", "1ulps"}).status == 0);
   CHECK(occurrences(certify({"--class", "holds"}).err, "--class: holds not in {missed,phantom,late}") == 1);
   CHECK(occurrences(certify({"--late", "2 ulps"}).err, "must be a number of ulps, 16ulps") == 1);
 }

@@ -124,7 +124,8 @@ TEST_CASE("a step from a frame that intersects itself has no distance, in a shar
   std::vector<std::string> files;
   for (int i = 0; i < 4; ++i) files.push_back(folder.write("s-" + std::to_string(i) + ".obj", two_tetrahedra(-0.5)));
   for (const std::string shard : {"1/2", "2/2"}) {
-    std::vector<std::string> arguments = {"--clearance", "--shard", shard, "--report", folder.path(shard[0] + ".json")};
+    std::vector<std::string> arguments = {"--clearance", "--shard", shard, "--report",
+                                          folder.path(shard.substr(0, 1) + ".json")};
     arguments.insert(arguments.end(), files.begin(), files.end());
     const Run run = mesh(arguments);
     CAPTURE(run.out, run.err);
@@ -133,12 +134,33 @@ TEST_CASE("a step from a frame that intersects itself has no distance, in a shar
   }
 }
 
+TEST_CASE("the buffers of a glTF file are not overwritten, and the verdict says what is not in the scene") {
+  const TemporaryFolder folder;
+  const std::string file = folder.write(
+      "a.gltf", R"({"asset":{"version":"2.0"},"scenes":[{"nodes":[0]}],"nodes":[{"mesh":0,"translation":[0.5,0,0]},)"
+                R"({"mesh":0}],"meshes":[{"primitives":[{"attributes":{"POSITION":0}}]}],"accessors":[{"bufferView":0,)"
+                R"("componentType":5126,"count":3,"type":"VEC3"}],"bufferViews":[{"buffer":0,"byteLength":36}],)"
+                R"("buffers":[{"byteLength":36,"uri":"a.bin"}]})");
+  const std::string bytes("\0\0\0\0\0\0\0\0\0\0\0\0\0\0\x80\x3f\0\0\0\0\0\0\0\0\0\0\0\0\0\0\x80\x3f\0\0\0\0", 36);
+  const std::string buffer = folder.write("a.bin", bytes);
+  const Run run = mesh({"--check", "--report", buffer, file});
+  CHECK(run.status == 2);
+  CHECK(folder.read("a.bin") == bytes);
+  const Run good = mesh({"--check", "--report", folder.path("r.json"), file});
+  CHECK(good.status == 0);
+  CHECK(
+      verdict(good).find("; 1 mesh of the file is not in its scene, and was not read; the file moves 3 vertices, whose "
+                         "positions are rounded to doubles") != std::string::npos);
+  CHECK(mesh({"--check", "--report", folder.path("r.json"), "--resume", file}).status == 0);
+}
+
 TEST_CASE("files are the parts of one scene, with the numbers and names of each") {
   const TemporaryFolder folder;
   const std::string low = folder.write("low.obj", "o x\nv 0 0 0\nv 4 0 0\nv 0 4 0\nf 1 2 3\n"),
                     high = folder.write("high.off", "OFF 3 1 0\n1 1 1\n2 1 2\n1 2 2\n3 0 1 2\n"),
                     wire = folder.write("wire.obj", "v 9 9 9\nv 0.5 0.5 -1\nv 0.5 0.5 0.25\nl 2 3\n"),
                     flat = folder.write("flat.npy", npy_of({"v 0 0\n"}, 1, 2));
+  const std::string text_of_three = "v 0 0 0\nv 4 0 0\nv 0 4 0\n";
   const Run run = mesh({"--check", "--parts", "--clearance", "--between-parts", low, high});
   CHECK(run.status == 0);
   CHECK(run.out.starts_with(
@@ -162,6 +184,11 @@ TEST_CASE("files are the parts of one scene, with the numbers and names of each"
   };
   refused({"--parts", low, high}, "--parts requires --check");
   refused({"--check", "--parts", low, low}, "is given twice");
+  refused({"--check", "--parts", low, folder.write("bad.obj", "v 0 0 0\nv 1 0 0\nf 1 2 2\n")},
+          "bad.obj: face 1 names vertex 2 twice");
+  refused({"--check", "--parts", "--topology", low, folder.write("x.npy", npy_of({text_of_three, text_of_three}, 3)),
+           folder.write("y.npy", npy_of({text_of_three}, 3))},
+          "has 2 frames; a part of a scene is one mesh at rest");
   refused({"--check", "--parts", low, flat}, "is a mesh in the plane");
 }
 

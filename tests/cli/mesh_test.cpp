@@ -173,7 +173,7 @@ TEST_CASE("a step ends where velocities lead, and the verdict says so") {
   const std::string velocity = folder.write("v.npy", npy_of({"v 0 0 0\nv 0 0 0\nv 0 0 0\nv 0 0 -2\n"}, 4));
   const Run run = mesh({frame, "--velocity", velocity, "--dt", "1", "--report", folder.path("r.json")});
   CHECK(run.status == 1);
-  CHECK(occurrences(run.out, "a.obj -> v.npy: first contact at t = 0x1p-1 (0.5), 1 pair") == 1);
+  CHECK(occurrences(run.out, "a.obj -> a.obj + 1 v.npy: first contact at t = 0x1p-1 (0.5), 1 pair") == 1);
   CHECK(verdict(run).ends_with("; the step ends at the positions and 1 times the velocities, rounded to doubles"));
   CHECK(occurrences(folder.read("r.json"), "\n \"dt\": \"0x1p+0\",\n") == 1);
   const Run resumed = mesh({frame, "--velocity", velocity, "--dt", "1", "--report", folder.path("r.json"), "--resume"});
@@ -186,6 +186,16 @@ TEST_CASE("a step ends where velocities lead, and the verdict says so") {
   check_refused(mesh({frame, "--velocity", velocity, "--dt", "1", "--check"}), "--check");
   check_refused(mesh({frame, folder.write("b.obj", text), "--in-order", "--velocity", velocity, "--dt", "1"}),
                 "goes from one frame, and there are 2");
+  // Vertices that are welded stay together.
+  const std::string split =
+      folder.write("s.obj", "v 0 0 1\nv 1 0 1\nv 0 1 1\nv 1 0 1\nv 1 1 1\nv 0 1 1\nf 1 2 3\nf 4 5 6\n");
+  const std::string apart =
+      folder.write("t.npy", npy_of({"v 0 0 0\nv 0 0 0\nv 0 0 0\nv 0 0 -4\nv 0 0 0\nv 0 0 0\n"}, 6));
+  CHECK(occurrences(mesh({split, "--velocity", apart, "--dt", "1", "--weld"}).err, "vertices 2 and 4 are apart in") ==
+        1);
+  check_refused(mesh({frame, "--velocity", frame, "--dt", "1"}), "is a mesh, whose positions are no velocities");
+  const std::string twice = folder.write("u.npy", npy_of({"v 0 0 0\n", "v 0 0 0\n"}, 1));
+  check_refused(mesh({frame, "--velocity", twice, "--dt", "1"}), "has 2 frames; velocities are those of one step");
   const std::string other = folder.write("w.npy", npy_of({"v 0 0 0\n"}, 1));
   CHECK(mesh({frame, "--velocity", other, "--dt", "1"}).err.find("has 1 velocities of 3 coordinates") !=
         std::string::npos);
@@ -283,7 +293,8 @@ TEST_CASE("the parts of one scene in several files do not pass for its frames") 
                     ring = folder.write("ring.obj", "v 1 1 -1\nv 5 1 -1\nv 1 5 -1\nv 1 1 3\n" + faces);
   const std::string which =
       "ring.obj: the name differs from rod.obj in more than numbers. If these files are the frames of one animation, "
-      "--in-order takes them in the order given; if they are parts of one scene, join them into one file first\n";
+      "--in-order takes them in the order given; if they are parts of one scene, --check --parts asks about them "
+      "together\n";
   check_refused(mesh({rod, ring}), which);
   check_refused(mesh({"--check", rod, ring}), which);
   CHECK(mesh({"--in-order", "--check", ring, rod}).out.starts_with("ring.obj: no intersection\nrod.obj: no "));
@@ -297,7 +308,7 @@ TEST_CASE("the parts of one scene in several files do not pass for its frames") 
   const Run parts = mesh({"--check", one, two});
   CHECK(parts.status == 2);
   CHECK(occurrences(parts.err, "part-2.obj: part-2.obj differs from part-1.obj: 2 vertices, not 3; all frames") == 1);
-  CHECK(occurrences(parts.err, "--check --in-order asks about each file by itself\n") == 1);
+  CHECK(occurrences(parts.err, "--check --in-order about each file by itself\n") == 1);
   CHECK(mesh({"--check", "--in-order", one, two}).status == 0);
 }
 

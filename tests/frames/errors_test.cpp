@@ -297,6 +297,9 @@ std::vector<Fault> gltf_faults() {
   add(";base64,", ";base64,?", "must be data:...;base64");
   add("data:application", "http:application", "must be the name of a file beside");
   add("data:application", "../x", "must be the name of a file beside");
+  add("\"buffers\"", "\"buffer\"", "bufferViews[0].buffer: is an index into a list without items");
+  add("\"mesh\":0,", "\"mesh\":0,\"extensions\":{\"EXT_mesh_gpu_instancing\":{}},",
+      "EXT_mesh_gpu_instancing is not read");
   add("{\"asset\"", "{\"extensionsRequired\":[\"KHR_draco_mesh_compression\"],\"asset\"",
       "is an extension that is not read");
   return faults;

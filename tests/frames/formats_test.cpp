@@ -6,6 +6,7 @@
 
 #include <touchstone/error.hpp>
 
+#include "frames/content.hpp"
 #include "frames/frame.hpp"
 #include "frames/samples.hpp"
 #include "frames/write_obj.hpp"
@@ -244,8 +245,10 @@ TEST_CASE("the nodes of a glTF file are parts at their places, and mirrors turn 
            strip, R"(,"animations":[{},{}])"),
       0, {});
   const Topology& topology = *frame.topology;
-  CHECK(topology.parts == std::vector<std::string>{"one", "m", "m node 3", "one node 4"});
+  CHECK(topology.parts == std::vector<std::string>{"one", "m", "m (node 3)", "one (node 4)"});
   CHECK(topology.animations == 2);
+  CHECK(topology.moved_vertices == 16);
+  CHECK(topology.unshown_meshes == 0);
   CHECK(topology.vertex_count == 16);
   CHECK(topology.faces ==
         Faces{{0, 1, 2}, {1, 3, 2}, {4, 6, 5}, {5, 6, 7}, {8, 9, 10}, {9, 11, 10}, {12, 13, 14}, {13, 15, 14}});
@@ -260,6 +263,16 @@ TEST_CASE("the nodes of a glTF file are parts at their places, and mirrors turn 
   CHECK(at(10) == std::vector<double>{13, 6, 7});  // y to -x
   CHECK(at(13) == std::vector<double>{14, 6, 7});  // a turn by 90 degrees in one by 90 degrees
   CHECK(at(15) == std::vector<double>{15, 6, 10});
+
+  // Names that a node has already, and meshes outside the scene.
+  const Frame same = read_frame(file(R"x([{"children":[1,2,3]},{"mesh":0,"name":"A"},{"mesh":0,"name":"A"},)x"
+                                     R"x({"mesh":0,"name":"A (node 2)"},{"mesh":0}])x",
+                                     strip),
+                                0, {});
+  CHECK(same.topology->parts == std::vector<std::string>{"A", "A (node 2)", "A (node 2) (node 3)"});
+  CHECK(same.topology->unshown_meshes == 1);
+  CHECK(same.topology->moved_vertices == 0);
+  CHECK(frames::files_beside(folder.path("a.gltf")) == std::vector<std::string>{folder.path("with blank.bin")});
 
   const std::string node = R"([{"mesh":0}])";
   CHECK(read_frame(file(node, R"(,"mode":6)"), 0, {}).topology->faces == Faces{{1, 2, 0}, {2, 3, 0}});

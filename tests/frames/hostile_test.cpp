@@ -242,6 +242,28 @@ TEST_CASE("counts that no file can hold ask for no memory") {
   CHECK(counts.errors >= 2 * 8 * 28 - 2);
 }
 
+TEST_CASE("a short glTF file does not stand for any number of vertices") {
+  const TemporaryFolder folder;
+  std::string nodes, roots;
+  for (int i = 0; i < 3000; ++i) {
+    nodes += std::string(i == 0 ? "" : ",") + R"({"mesh":0})";
+    roots += (i == 0 ? "" : ",") + std::to_string(i);
+  }
+  const std::string file = folder.write(
+      "a.gltf",
+      R"({"asset":{"version":"2.0"},"scenes":[{"nodes":[)" + roots + R"(]}],"nodes":[)" + nodes +
+          R"(],"meshes":[{"primitives":[{"attributes":{"POSITION":0},"mode":0}]}],"accessors":[)"
+          R"({"bufferView":0,"componentType":5126,"count":30000,"type":"VEC3"}],)"
+          R"("bufferViews":[{"buffer":0,"byteLength":360000}],"buffers":[{"byteLength":360000,"uri":"a.bin"}]})");
+  folder.write("a.bin", std::string(360000, '\0'));
+  try {
+    frames::read_frame(file, 0, {});
+    FAIL_CHECK("no error");
+  } catch (const FileError& error) {
+    CHECK(std::string(error.what()).find("too many for a file of this size") != std::string::npos);
+  }
+}
+
 TEST_CASE("a million faces on one line, and numbers of a million digits") {
   const TemporaryFolder folder;
   constexpr int kFaces = 1'000'000;

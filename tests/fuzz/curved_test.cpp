@@ -99,7 +99,7 @@ TEST_CASE("fuzzing curves: a planted bug is found, shrunk, and repeated by the c
     PlantedBug bug;
     fuzz::Settings one = settings;
     one.shrink_tries = 0;
-    const auto again = fuzz::run_case(bug, *parsed, one);
+    const auto again = fuzz::run_case(bug, *parsed, one).finding;
     REQUIRE(again.has_value());
     CHECK(again->failure == finding.failure);
   }

@@ -282,13 +282,14 @@ TEST_CASE("a case alone shows the finding that the run kept", "[slow]") {
     CAPTURE(fuzz::case_text(finding.example.name));
     const auto name = fuzz::parse_case_text(fuzz::case_text(finding.example.name));
     REQUIRE(name.has_value());
-    const auto again = fuzz::run_case(*factory(), *name, settings);
+    const auto again = fuzz::run_case(*factory(), *name, settings).finding;
     REQUIRE(again.has_value());
     CHECK(again->failure == finding.failure);
     CHECK(again->degeneracy == finding.degeneracy);
     CHECK(again->example.difficulty == finding.example.difficulty);
   }
-  CHECK_FALSE(fuzz::run_case(*toy([](const Query&, Reply&) {})(), outcome.findings.front().example.name, settings));
+  CHECK_FALSE(
+      fuzz::run_case(*toy([](const Query&, Reply&) {})(), outcome.findings.front().example.name, settings).finding);
 }
 
 TEST_CASE("the watch is told how far it is and can end the search") {

@@ -73,6 +73,10 @@ TEST_CASE("what does not count is said beside the verdict, and a case's command 
   CHECK(occurrences(some.out,
                     " did not count: late by at most 16ulps, or phantom within 0.001 of the greatest coordinate, "
                     "or of other classes than late\n") == 1);
+  const Run allowed = run_program(
+      {"fuzz", "--solver", "newton", "--late", "1", "--class", "missed", "--case", "triple_root vertex-face 1 7"});
+  CHECK(allowed.status == 0);
+  CHECK(occurrences(allowed.out, "newton is wrong, which the options allow\n") == 1);
   CHECK(occurrences(some.out, "touchstone fuzz --solver newton --late 16ulps --near 0.001 --case ") == 1);
 }
 

@@ -48,7 +48,7 @@ std::vector<fuzz::Finding> shrunk_failures(const char* name, std::uint64_t cases
     for (const Kind kind : kKinds) {
       if (!solver->supports(kind)) continue;
       for (std::uint64_t index = 0; index < cases; ++index) {
-        auto finding = fuzz::run_case(*solver, {{family.family, kind, 11, index}, 0}, settings);
+        auto finding = fuzz::run_case(*solver, {{family.family, kind, 11, index}, 0}, settings).finding;
         if (finding) shrunk.push_back(std::move(*finding));
       }
     }

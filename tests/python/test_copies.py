@@ -82,9 +82,14 @@ def test_a_damaged_pickle_is_refused():
     answers = ts.solve("point-point", START, END)
     version, data = answers.__getstate__()
     for bad in [(version, data[:-1]), (version, data + b"x"), ("0.0.1", data), (version, b""), (version,),
-                (version, b"\xff" * len(data))]:
+                (version, b"\xff" * len(data)), (1, data), (version, 5)]:
         with pytest.raises(ValueError, match="pickle is"):
             ts.Answers.__new__(ts.Answers).__setstate__(bad)
+    for thing in objects()[:-1]:
+        version, data = thing.__getstate__()
+        for size in range(0, len(data), 1 + len(data) // 40):
+            with pytest.raises(ValueError, match="pickle is"):
+                type(thing).__new__(type(thing)).__setstate__((version, data[:size]))
 
 
 def test_slices():
@@ -133,11 +138,15 @@ def test_meshes_of_other_packages():
             (thing(vertices=x, faces=face), 3, 0), (thing(vertices=x, triangles=face), 3, 0),
             (thing(points=x, faces=np.array([3, 0, 1, 2]), lines=np.array([3, 1, 2, 3]), verts=np.array([])), 4, 0),
             (thing(points=x, faces=np.array([3, 0, 1, 2]), lines=[], verts=np.array([1, 3])), 3, 1),
+            (thing(points=x, faces=np.array([3, 0, 1, 2]), verts=np.array([1, 3])), 3, 1),
             (thing(points=x, lines=[[0, 3], [3, 1]]), 2, 0)]:
         mesh, positions, parts, face_parts = ts.as_mesh(made)
         assert (len(mesh.edges), len(mesh.points), positions.tolist(), parts) == (edges, points, x, [])
     for made, words in [(thing(points=x, cells=[thing(type="quad", data=[[0, 1, 2, 3]])]), "cells of type 'quad'"),
                         (thing(points=x, faces=np.array([4, 0, 1, 2, 3])), "a face of 4 corners"),
+                        (thing(points=x, faces=np.array([]), strips=np.array([4, 0, 1, 2, 3])), "strips"),
+                        (thing(points=x, faces=np.array([]), lines=np.array([5, 0, 1, 2])), "says that 5 corners"),
+                        (thing(points=x, faces=np.array([]), lines=np.array([-1, 0, 1, 2])), "says that -1 corners"),
                         (thing(points=x, faces=np.array([])), "neither faces nor lines")]:
         with pytest.raises(ValueError, match=words):
             ts.as_mesh(made)

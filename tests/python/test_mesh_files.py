@@ -51,8 +51,15 @@ def test_elements_in_no_part_collide_between_parts(tmp_path):
     assert len(ts.intersections(read.mesh, read.positions)) == 1
 
 
+def test_frames_of_other_parts_are_refused_between_parts(tmp_path):
+    one, two = write(tmp_path, "1.obj", OBJ.format(z=1)), write(tmp_path, "2.obj", OBJ.format(z=2).replace("o lid", "o cap"))
+    assert len(ts.read_frames([one, two])[1]) == 2
+    with pytest.raises(ValueError, match="has other parts"):
+        ts.read_frames([one, two], between_parts=True)
+
+
 def test_what_is_no_mesh_is_refused(tmp_path):
-    for name, text, words in [("a.obj", "f 1 2 3\n", "vertex 3 does not exist"), ("a.npy", "", "which NumPy or h5py reads"),
+    for name, text, words in [("a.obj", "f 1 2 3\n", "vertex 3 does not exist"), ("a.npy", "", "NumPy and h5py read"),
                               ("a.xyz", "", "meshio convert"), ("a.off", "OFF 1 0 0\n0 0 nan\n", "no finite number"),
                               ("q.off", "OFF 4 1 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n4 0 1 2 3\n", "has 4 corners"),
                               ("d.off", "OFF 3 1 0\n0 0 0\n1 0 0\n1 1 0\n3 0 1 1\n", "twice")]:

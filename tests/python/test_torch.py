@@ -54,7 +54,7 @@ def test_the_gradient_of_a_distance_is_that_of_differences(kind, corners):
     kind, x, _ = queries(4, kind, corners)
     x.requires_grad_()
     tt.distance(kind, x).sum().backward()
-    h, at = 1e-7, x.detach().numpy()
+    h, at, compared = 1e-7, x.detach().numpy(), 0
     for q in range(20):
         if not np.isfinite(x.grad[q].numpy()).all():
             continue
@@ -65,6 +65,8 @@ def test_the_gradient_of_a_distance_is_that_of_differences(kind, corners):
                 moved[1][c, k] += h
                 low, high = (ts.distance(kind, one).value for one in moved)
                 assert math.isclose((high - low) / (2 * h), x.grad[q, c, k], rel_tol=1e-4, abs_tol=1e-4)
+                compared += 1
+    assert compared > 15 * corners * 3
 
 
 def test_without_a_gradient():
@@ -78,6 +80,35 @@ def test_without_a_gradient():
     flat = torch.tensor([[0., 1], [0, 0]], dtype=torch.float64, requires_grad=True)
     tt.toi("point-point", flat, torch.tensor([[0., -1], [0, 0]], dtype=torch.float64), separation=0.5).backward()
     assert flat.grad.shape == (2, 2)
+
+
+def test_distances_of_all_sizes():
+    for scale in (1e200, 1e-200):
+        x = torch.tensor([[scale, 0, 0], [0, 0, 0]], dtype=torch.float64, requires_grad=True)
+        tt.distance("point-point", x).backward()
+        assert x.grad.tolist() == [[1, 0, 0], [-1, 0, 0]]
+    x = torch.tensor([[1 / 3, 1 / 3 + 2**-54, 0], [0, 0, 0], [1, 1, 0]], dtype=torch.float64, requires_grad=True)
+    tt.distance("point-edge", x).backward()
+    assert np.allclose(x.grad[0], [-math.sqrt(0.5), math.sqrt(0.5), 0], atol=1e-14)
+
+
+def test_what_a_gradient_needs_is_kept():
+    start = torch.tensor([[0., 0, 4], [0, 0, 0]], dtype=torch.float64, requires_grad=True)
+    end = torch.tensor([[0., 0, -4], [0, 0, 0]], dtype=torch.float64)
+    time = tt.toi("PP", start, end, separation=2.0)
+    assert tt.distance("EE", torch.rand(3, 4, 3, dtype=torch.float64)).shape == (3,)
+    with pytest.raises(RuntimeError, match="once_differentiable"):
+        slope, = torch.autograd.grad(time**2, start, create_graph=True)
+        slope.sum().backward()
+    end[0, 2] = -7
+    with pytest.raises(RuntimeError, match="modified by an inplace operation"):
+        tt_time = time.sum()
+        tt_time.backward()
+    many = torch.tensor([[[0., 0, 1], [0, 0, 0]], [[0, 0, 0], [0, 0, 0]]], dtype=torch.float64, requires_grad=True)
+    tt.toi("point-point", many, many.detach() * -1, separation=0.5)[0].backward()
+    assert many.grad.isfinite().all()
+    with pytest.raises(TypeError, match="here it is 'separation'"):
+        tt.toi("point-point", start, end, min_distance=1.0)
 
 
 def test_other_tensors_are_refused():

@@ -61,7 +61,7 @@ TEST_CASE("files of other names are frames or parts, and nothing is guessed") {
   const std::string which =
       ". If these files are the frames of one animation, --in-order takes them in the order given; if they are parts "
       "of "
-      "one scene, join them into one file first";
+      "one scene, --check --parts asks about them together";
   for (const Gaps gaps : {Gaps::refused, Gaps::allowed}) {
     CHECK(refusal_of({"d/gear.obj", "d/shaft.obj"}, gaps) ==
           "d/shaft.obj: the name differs from gear.obj in more than numbers" + which);
@@ -134,6 +134,9 @@ TEST_CASE("a folder stands for the mesh files in it, which are of one format") {
   CHECK(expand_patterns({run + "/"}) == NameList{run + "/f-1.obj", run + "/f-2.obj"});
   folder.write("r [1]/a.PLY", "");
   CHECK_THROWS_WITH(expand_patterns({run}), Contains("frames of several formats (1 .PLY, 2 .obj)"));
+  folder.write("mixed/a.obj", "");
+  folder.write("mixed/b.vtu", "");
+  CHECK_THROWS_WITH(expand_patterns({folder.path("mixed")}), Contains("b.vtu, a format that is not read"));
   folder.write("none/notes.txt", "");
   CHECK_THROWS_WITH(expand_patterns({folder.path("none")}), Contains("is a folder without mesh files"));
 }

@@ -221,7 +221,8 @@ void define_fuzzing(py::module_& module) {
       .def_readonly("findings", &FuzzReport::findings, "a list of Finding, worst first")
       .def("__repr__", [](const FuzzReport& report) {
         return "<FuzzReport: " + std::to_string(report.queries) + " queries, " + std::to_string(report.failures) +
-               " failures of " + std::to_string(report.kinds_of_failure) + " kinds>";
+               " failures of " + std::to_string(report.kinds_of_failure) + " kinds" +
+               (report.allowed > 0 ? ", " + std::to_string(report.allowed) + " allowed>" : ">");
       });
   module.def("fuzz", &fuzz);
 }

@@ -24,7 +24,8 @@ py::array array_of(const Rows& rows, py::ssize_t width) {
 frames::MeshFile read(const std::string& file, bool triangulate) {
   const frames::Format format = frames::format_of(file);
   if (format >= frames::Format::npy) {
-    throw FileError(file + ": holds positions without elements, which NumPy or h5py reads; Mesh takes the elements");
+    throw FileError(file +
+                    ": holds positions without elements, which Mesh takes; NumPy and h5py read those of .npy and .h5");
   }
   const io::WholeFile content = frames::read_content(file, nullptr);
   return frames::read_mesh(format, file, content.bytes(), triangulate);

@@ -238,7 +238,9 @@ void define_pickle(py::class_<T>& bound, ToValue to_value, FromValue from_value)
             return py::make_tuple(std::string(version()), py::bytes(std::move(pack).bytes()));
           },
           [from_value](const py::tuple& state) {
-            if (py::len(state) != 2) throw py::value_error("the pickle is damaged");
+            if (py::len(state) != 2 || !py::isinstance<py::str>(state[0]) || !py::isinstance<py::bytes>(state[1])) {
+              throw py::value_error("the pickle is damaged");
+            }
             const auto from = state[0].cast<std::string>();
             if (from != version()) {
               throw py::value_error("the pickle is of touchstone " + from + ", and this is touchstone " +

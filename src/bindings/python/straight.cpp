@@ -258,6 +258,7 @@ py::object gradients_of(const QueryArrays& queries, py::handle t_max, py::handle
 void define_queries(py::module_& module) {
   define_times(module);
   define_distances(module);
+  module.def("kind_name", [](py::handle kind) { return std::string(name_of(kind_of(kind))); });
   module.def("solve", &solve_arrays);
   module.def("contact_times", [](py::handle kind, py::handle start, py::handle end, py::handle t_max,
                                  py::handle separation, py::handle metric, py::handle threads) {

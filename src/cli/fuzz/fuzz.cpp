@@ -50,10 +50,12 @@ int run_one_case(const FuzzCommandOptions& options, const fuzz::Settings& settin
                                       : "--from goes with a case that is given, not with one of a family");
   }
   const auto solver = solver_factory(options.solver, options.separation)();
-  const auto finding = fuzz::run_case(*solver, *options.a_case, settings, interrupted);
+  const auto [finding, allowed] = fuzz::run_case(*solver, *options.a_case, settings, interrupted);
   auto console = io::OutputFile::standard_output();
   const std::string name = fuzz::case_text(*options.a_case);
-  const std::string right = finding ? std::string() : fmt::format("{}: {} is right\n", name, solver->name());
+  const std::string right = finding ? std::string()
+                                    : fmt::format("{}: {} is {}\n", name, solver->name(),
+                                                  allowed ? "wrong, which the options allow" : "right");
   console.write(right);
   std::vector<fuzz::Finding> findings;
   if (finding) findings.push_back(*finding);
@@ -103,7 +105,7 @@ int run_fuzz(const FuzzCommandOptions& options) {
         shown < outcome.kinds_of_failure ? fmt::format("; {} shown (--findings 0 shows all)", shown) : "");
   }
   summary += allowed_for_person(options, outcome) + "\n";
-  console.write(summary);
+  console.write(in_colour(summary, VerdictLine::last, outcome.kinds_of_failure == 0));
   print_findings(console, summary, outcome.findings, options);
   console.commit();
   return outcome.kinds_of_failure == 0 ? kAllHold : kRefuted;

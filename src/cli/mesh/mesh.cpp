@@ -21,6 +21,7 @@
 #include "cli/shared/progress/pipeline.hpp"
 #include "cli/shared/proofs/motion_proofs.hpp"
 #include "cli/shared/words.hpp"
+#include "frames/content.hpp"
 #include "io/fail.hpp"
 #include "io/sha256.hpp"
 #include "io/times.hpp"
@@ -36,6 +37,14 @@ namespace {
 using frames::Frame;
 using sequence::FrameName;
 using sequence::Question;
+
+/// How an array is read that has no elements.
+frames::ReadOptions array_options(const frames::ReadOptions& reading) {
+  frames::ReadOptions array;
+  array.dataset = reading.dataset;
+  array.checkpoint = reading.checkpoint;
+  return array;
+}
 
 std::vector<FrameName> frames_to_check(const MeshRunOptions& options, const frames::ReadOptions& reading) {
   if (options.as_parts) {
@@ -62,7 +71,15 @@ std::vector<FrameName> frames_to_check(const MeshRunOptions& options, const fram
                       "to frame",
                       names.size()));
     }
+    const auto format = frames::known_format_of(options.velocity);
+    if (format && *format < frames::Format::npy) {
+      io::fail(options.velocity, "is a mesh, whose positions are no velocities; --velocity takes an array");
+    }
+    if (const std::size_t count = frames::frame_count(options.velocity, array_options(reading)); count != 1) {
+      io::fail(options.velocity, fmt::format("has {} frames; velocities are those of one step", grouped(count)));
+    }
     names.push_back({options.velocity});
+    names.back().shown_as = fmt::format("{} + {} {}", names.front().label(), options.dt, names.back().label());
   }
   if (!options.check && names.size() < 2) {
     throw Error(fmt::format("a step needs two frames, and there {} only {}; --check asks about frames at rest",
@@ -76,6 +93,10 @@ void check_files(const MeshRunOptions& options, const std::vector<FrameName>& na
   for (const auto& name : names) {
     if (name.index == 0) inputs.push_back(name.file);
     inputs.insert(inputs.end(), name.parts.begin(), name.parts.end());
+  }
+  for (std::size_t i = 0, count = inputs.size(); i < count; ++i) {
+    const std::vector<std::string> beside = frames::files_beside(inputs[i]);
+    inputs.insert(inputs.end(), beside.begin(), beside.end());
   }
   if (!options.topology.empty()) inputs.push_back(options.topology);
   if (options.pairs == "-") throw Error("--pairs: name a file to write");
@@ -272,8 +293,12 @@ std::shared_ptr<const Frame> read(const FrameName& name, const frames::ReadOptio
   } else {
     std::vector<Frame> parts;
     for (const std::string& file : name.parts) {
+      if (const std::size_t count = frames::frame_count(file, reading); count != 1) {
+        io::fail(file, fmt::format("has {} frames; a part of a scene is one mesh at rest", grouped(count)));
+      }
       parts.push_back(frames::read_frame(file, 0, reading));
       repairs.mend(parts.back(), {file});
+      sequence::mesh_of(*parts.back().topology, {}, file);  // its faults are those of this file
     }
     frame = std::make_shared<Frame>(sequence::joined_parts(name.parts, parts));
   }
@@ -283,11 +308,8 @@ std::shared_ptr<const Frame> read(const FrameName& name, const frames::ReadOptio
 
 /// The frame after the time dt: each coordinate is rounded once.
 std::shared_ptr<const Frame> moved(const Frame& start, const FrameName& velocities, double dt,
-                                   const frames::ReadOptions& reading) {
-  frames::ReadOptions array;
-  array.dataset = reading.dataset;
-  array.checkpoint = reading.checkpoint;
-  const Frame velocity = frames::read_frame(velocities.file, 0, array);
+                                   const frames::ReadOptions& reading, const sequence::Repairs& repairs) {
+  const Frame velocity = frames::read_frame(velocities.file, 0, array_options(reading));
   const std::size_t vertices = start.topology->vertex_count;
   if (velocity.topology->vertex_count != vertices || velocity.topology->dimension != start.topology->dimension) {
     io::fail(velocities.file, fmt::format("has {} velocities of {} coordinates; the frame has {} vertices of {}",
@@ -300,6 +322,7 @@ std::shared_ptr<const Frame> moved(const Frame& start, const FrameName& velociti
   }
   frame->digest = io::sha256(fmt::format("{} {} {}", start.digest, velocity.digest, io::hexfloat(dt)));
   sequence::check_positions(*frame, velocities);
+  repairs.check_welds(*frame, velocities);
   return frame;
 }
 
@@ -351,7 +374,7 @@ int run_mesh(const MeshRunOptions& options) {
     if (index + 1 < range.last) {
       next = std::async(policy, [&, index] {
         return options.velocity.empty() ? read(names[index + 1], reading, first->topology, repairs)
-                                        : moved(*first, names[index + 1], options.dt, reading);
+                                        : moved(*first, names[index + 1], options.dt, reading, repairs);
       });
     }
     checker.take(index, std::move(frame));

@@ -278,7 +278,7 @@ bool MeshOutput::finish() {
   if (options_.report == "-") {
     console_.write(sequence::report_text(report_));
   } else {
-    console_.write(counts_summary());
+    console_.write(in_colour(counts_summary(), VerdictLine::last, counts_.all_free()));
   }
   console_.commit();
   return counts_.all_free();

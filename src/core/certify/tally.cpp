@@ -27,8 +27,7 @@ void Tally::add(const Claim& claim, const Answer& answer, Verdict verdict) noexc
   ++levels[static_cast<std::size_t>(answer.level)];
   ++natures[static_cast<std::size_t>(answer.nature)];
   if (!claim.contact || !claim.toi) return;
-  // A late time as written may round to the answer's toi.
-  if (verdict == Verdict::late) late.add(answer.toi, std::max(*claim.toi, answer.toi));
+  if (verdict == Verdict::late) late.add(answer.toi, late_until(*claim.toi, answer.toi));
   if (verdict != Verdict::holds) return;
   // A time as written may hold and yet round to the double after the exact time. Then it is early by 0 doubles.
   early.add(std::min(*claim.toi, answer.toi), answer.toi);

@@ -3,8 +3,10 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -24,6 +26,13 @@ struct TimeLimit {
     return !(ulps && ulps_between(from, to) > *ulps) && !(fraction && to - from > *fraction);
   }
 };
+
+/// A late time for `allows` from the answer's toi on. One that was written with more digits may round to that toi: it is
+/// late by a double at most, and counts as late by one.
+inline double late_until(double claimed, double toi) noexcept {
+  const double next = std::nextafter(toi, std::numeric_limits<double>::infinity());
+  return claimed > toi ? claimed : next;
+}
 
 /// Claims whose distance lies in [from, below).
 template <class Distance>

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "io/whole_file.hpp"
 
@@ -18,6 +19,9 @@ inline constexpr io::FileLimits kMeshLimits{std::uint64_t{1} << 36, std::uint64_
 /// @throws FileError  where it cannot be read, and where it exceeds kMeshLimits; other formats than OBJ have no limit
 ///                    of the length of a line
 io::WholeFile read_content(const std::string& file, io::InputFile::Checkpoint checkpoint);
+
+/// The files that a mesh file names and is made of: the buffers of glTF. Empty where the file cannot be read.
+std::vector<std::string> files_beside(const std::string& file);
 
 enum class Format : std::uint8_t { obj, ply, stl, vtk, off, msh, gltf, npy, hdf5, pc2, mdd };
 

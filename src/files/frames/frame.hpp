@@ -51,7 +51,10 @@ struct Topology {
   std::size_t welded_vertices = 0;   ///< those that elements of the file name, and others stand for (sequence::Repairs)
   std::size_t dropped_elements = 0;  ///< the faces and edges of the file that were left out
 
-  std::size_t animations = 0;  ///< those of the file, which are not read
+  // Of glTF files:
+  std::size_t animations = 0;      ///< those of the file, which are not read
+  std::size_t unshown_meshes = 0;  ///< nodes with meshes that are not in the scene, and not read
+  std::size_t moved_vertices = 0;  ///< those that nodes move from where the file has them, and that are rounded
 
   bool operator==(const Topology& other) const = default;
 };

@@ -26,9 +26,11 @@ namespace {
 
 using json::JsonNode;
 
-// One mesh may be in any number of nodes, so that a short file may stand for any number of vertices.
-constexpr std::size_t kMostVertices = std::size_t{1} << 27;
-constexpr std::size_t kMostCorners = std::size_t{1} << 29;
+// One mesh may be in any number of nodes, so that a short file may stand for any number of vertices and corners: these,
+// and so many for each byte of the file and its buffers.
+constexpr std::size_t kMostRepeated = std::size_t{1} << 22;
+constexpr std::size_t kMostOfByte = 16;
+constexpr std::size_t kMostCount = std::size_t{1} << 33;
 
 enum class Mode : std::uint8_t { points, lines, line_loop, line_strip, triangles, triangle_strip, triangle_fan };
 
@@ -129,21 +131,46 @@ std::optional<std::string> from_base64(std::string_view text) {
   return bytes;
 }
 
+/// The file that a uri names, which must be beside the glTF file; nothing for others.
+std::optional<std::string> file_beside(std::string_view gltf, const std::string& uri) {
+  std::string name;
+  for (std::size_t i = 0; i < uri.size(); ++i) {
+    const auto digit = [&](std::size_t k) {
+      return k < uri.size() ? std::string_view("0123456789abcdefABCDEF").find(uri[k]) : std::string_view::npos;
+    };
+    const bool escaped = uri[i] == '%' && digit(i + 1) != std::string::npos && digit(i + 2) != std::string::npos;
+    name += escaped ? static_cast<char>(std::stoi(uri.substr(i + 1, 2), nullptr, 16)) : uri[i];
+    i += escaped ? 2 : 0;
+  }
+  const std::filesystem::path path(name);
+  if (name.empty() || path.is_absolute() || name.find("..") != std::string::npos ||
+      name.find(':') != std::string::npos) {
+    return std::nullopt;
+  }
+  return (std::filesystem::path(gltf).parent_path() / path).string();
+}
+
 class GltfReader {
  public:
   GltfReader(std::string_view file, std::string_view content)
-      : file_(file), document_(json::parse_json(json_of(content))), builder_(false, 0) {}
+      : file_(file), document_(json::parse_json(json_of(content))), builder_(false, 0), bytes_(content.size()) {}
 
   MeshFile read() {
     const JsonNode root(document_.value(), "the file");
     if (!root.at("asset").at("version").text().starts_with("2.")) root.at("asset").at("version").fail("must be 2.x");
     refuse_extensions(root);
     read_lists(root);
+    for (const JsonNode& node : nodes_) unshown_ += node.has("mesh") ? 1 : 0;
     for (const auto& [node, transform] : scene_nodes(root)) {
-      if (const auto mesh = nodes_[node].find("mesh")) add_mesh(node, item(*mesh, meshes_), transform);
+      const auto mesh = nodes_[node].find("mesh");
+      if (!mesh) continue;
+      add_mesh(node, item(*mesh, meshes_), transform);
+      --unshown_;
     }
     MeshFile result = builder_.finish({file_});
     if (const auto animations = root.find("animations")) result.topology.animations = animations->items().size();
+    result.topology.moved_vertices = moved_;
+    result.topology.unshown_meshes = unshown_;
     result.beside = std::move(beside_);
     return result;
   }
@@ -174,16 +201,19 @@ class GltfReader {
     return json;
   }
 
+  /// Of extensions: they say how surfaces look.
+  static bool is_harmless(const std::string& name) {
+    return name.starts_with("KHR_materials_") || name.starts_with("KHR_texture_") || name.starts_with("EXT_texture_") ||
+           name.starts_with("KHR_lights_");
+  }
+
   /// What a reader must know to read the file.
   static void refuse_extensions(const JsonNode& root) {
     const auto required = root.find("extensionsRequired");
     if (!required) return;
     for (const JsonNode& extension : required->items()) {
       const std::string name = extension.text();
-      // They say how surfaces look.
-      const bool harmless = name.starts_with("KHR_materials_") || name.starts_with("KHR_texture_") ||
-                            name.starts_with("EXT_texture_") || name.starts_with("KHR_lights_");
-      if (!harmless) extension.fail("is an extension that is not read: export the file without it");
+      if (!is_harmless(name)) extension.fail("is an extension that is not read: export the file without it");
     }
   }
 
@@ -216,6 +246,7 @@ class GltfReader {
     } else if (number != 0) {
       buffer.fail("has no uri");
     }
+    bytes_ += bytes.size();
     if (bytes.size() < length) {
       buffer.fail("must have " + std::to_string(length) + " bytes, and has " + std::to_string(bytes.size()));
     }
@@ -232,23 +263,10 @@ class GltfReader {
   }
 
   std::string_view beside(const JsonNode& uri, const std::string& text) {
-    std::string name;
-    for (std::size_t i = 0; i < text.size(); ++i) {
-      const auto digit = [&](std::size_t k) {
-        return k < text.size() ? std::string_view("0123456789abcdefABCDEF").find(text[k]) : std::string_view::npos;
-      };
-      const bool escaped = text[i] == '%' && digit(i + 1) != std::string::npos && digit(i + 2) != std::string::npos;
-      name += escaped ? static_cast<char>(std::stoi(text.substr(i + 1, 2), nullptr, 16)) : text[i];
-      i += escaped ? 2 : 0;
-    }
-    const std::filesystem::path path(name);
-    if (name.empty() || path.is_absolute() || name.find("..") != std::string::npos ||
-        name.find(':') != std::string::npos) {
-      uri.fail("must be the name of a file beside the glTF file, or data:");
-    }
-    const std::string file = (std::filesystem::path(file_).parent_path() / path).string();
-    if (!io::InputFile::check(file)) io::fail(file, "is a pipe or device; a buffer is a file");
-    files_.push_back(io::WholeFile::read(file, {kMeshLimits.file, kMeshLimits.stream, 0}, nullptr));
+    const auto file = file_beside(file_, text);
+    if (!file) uri.fail("must be the name of a file beside the glTF file, or data:");
+    if (!io::InputFile::check(*file)) io::fail(*file, "is a pipe or device; a buffer is a file");
+    files_.push_back(io::WholeFile::read(*file, {kMeshLimits.file, kMeshLimits.stream, 0}, nullptr));
     beside_ += io::sha256(files_.back().bytes());
     return files_.back().bytes();
   }
@@ -285,13 +303,17 @@ class GltfReader {
     std::string name;
     if (const auto own = nodes_[node].find("name")) name = own->text();
     if (name.empty() && mesh.has("name")) name = mesh.at("name").text();
-    if (name.empty() || !names_.insert(name).second) {
-      name += (name.empty() ? "" : " ") + std::string("node ") + std::to_string(node);
-    }
+    if (name.empty()) name = "node " + std::to_string(node);
+    while (!names_.insert(name).second) name += " (node " + std::to_string(node) + ")";
     return name;
   }
 
   void add_mesh(std::size_t node, const JsonNode& mesh, const Affine& transform) {
+    if (const auto extensions = nodes_[node].find("extensions")) {
+      for (const std::string& name : extensions->keys()) {
+        if (!is_harmless(name)) extensions->fail(name + " is not read: export the file without it");
+      }
+    }
     if (nodes_[node].has("skin")) {
       nodes_[node].fail("has a skin, whose pose is not read: export the posed mesh");
     }
@@ -327,7 +349,7 @@ class GltfReader {
     }
     Elements elements;
     elements.component = accessor.at("componentType").whole_number(5120, 5126);
-    elements.count = accessor.at("count").whole_number(1, kMostCorners);
+    elements.count = accessor.at("count").whole_number(1, kMostCount);
     const std::size_t size = (elements.component >= 5125   ? 4u
                               : elements.component >= 5122 ? 2u
                                                            : 1u) *
@@ -339,8 +361,9 @@ class GltfReader {
       return found ? found->whole_number(0, kMeshLimits.file) : otherwise;
     };
     elements.stride = number_or(view, "byteStride", size);
-    const std::string_view buffer =
-        buffers_[view.at("buffer").whole_number(0, buffers_.empty() ? 0 : buffers_.size() - 1)];
+    const JsonNode number = view.at("buffer");
+    if (buffers_.empty()) number.fail("is an index into a list without items");
+    const std::string_view buffer = buffers_[number.whole_number(0, buffers_.size() - 1)];
     const std::uint64_t begin = number_or(view, "byteOffset", 0),
                         length = view.at("byteLength").whole_number(1, kMeshLimits.file);
     const std::uint64_t offset = number_or(accessor, "byteOffset", 0);
@@ -356,8 +379,8 @@ class GltfReader {
   void add_vertices(const JsonNode& accessor, const Affine& transform) {
     const Elements elements = elements_of(accessor, "VEC3");
     if (elements.component != 5126) accessor.at("componentType").fail("must be 5126: positions are floats");
-    if (builder_.vertex_count() + elements.count > kMostVertices) {
-      accessor.fail("makes more than " + std::to_string(kMostVertices) + " vertices with those before it");
+    if (builder_.vertex_count() + elements.count > most()) {
+      accessor.fail("makes more than " + std::to_string(most()) + " vertices, too many for a file of this size");
     }
     for (std::size_t i = 0; i < elements.count; ++i) {
       std::array<double, 3> x;
@@ -365,6 +388,7 @@ class GltfReader {
         x[k] = io::float_at(elements.first + i * elements.stride + 4 * k, std::endian::little);
       }
       x = transform(x);
+      moved_ += transform.is_identity ? 0 : 1;
       for (const double coordinate : x) {
         if (!std::isfinite(coordinate)) accessor.fail("has a position that is not finite: " + std::to_string(i));
       }
@@ -403,7 +427,9 @@ class GltfReader {
     const Mode sort = mode ? static_cast<Mode>(mode->whole_number(0, 6)) : Mode::triangles;
     const std::vector<MeshIndex> v = indices_of(primitive, first, count);
     corners_ += v.size();
-    if (corners_ > kMostCorners) primitive.fail("makes more than " + std::to_string(kMostCorners) + " corners");
+    if (corners_ > most()) {
+      primitive.fail("makes more than " + std::to_string(most()) + " corners, too many for a file of this size");
+    }
     const std::size_t n = v.size();
     const auto triangle = [&](MeshIndex a, MeshIndex b, MeshIndex c) {
       if (mirrored) std::swap(b, c);
@@ -436,6 +462,8 @@ class GltfReader {
     }
   }
 
+  std::size_t most() const noexcept { return kMostRepeated + kMostOfByte * bytes_; }
+
   static constexpr std::uint32_t kJsonChunk = 0x4E4F534A, kBinaryChunk = 0x004E4942;
 
   std::string_view file_;
@@ -448,7 +476,8 @@ class GltfReader {
   std::string beside_;  ///< the digests of the files
   MeshBuilder builder_;
   std::set<std::string> names_;
-  std::size_t faces_ = 0, corners_ = 0;
+  std::size_t faces_ = 0, corners_ = 0, moved_ = 0, unshown_ = 0;
+  std::size_t bytes_ = 0;  ///< of the file and its buffers
 };
 
 }  // namespace
@@ -461,6 +490,27 @@ MeshFile read_gltf(std::string_view file, std::string_view content) {
   } catch (const Error& error) {
     io::fail(file, error.what());
   }
+}
+
+std::vector<std::string> files_beside(const std::string& file) {
+  std::vector<std::string> files;
+  if (known_format_of(file) != Format::gltf) return files;
+  try {
+    if (!io::InputFile::check(file)) return files;  // a pipe can be read once
+    const io::WholeFile content = read_content(file, nullptr);
+    if (content.bytes().starts_with("glTF")) return files;
+    const json::JsonDocument document = json::parse_json(content.bytes());
+    const JsonNode root(document.value(), "the file");
+    if (const auto buffers = root.find("buffers")) {
+      for (const JsonNode& buffer : buffers->items()) {
+        if (const auto uri = buffer.find("uri")) {
+          if (const auto beside = file_beside(file, uri->text())) files.push_back(*beside);
+        }
+      }
+    }
+  } catch (const Error&) {  // the reader says what is wrong
+  }
+  return files;
 }
 
 }  // namespace touchstone::frames

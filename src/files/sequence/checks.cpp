@@ -105,10 +105,11 @@ std::vector<MeshIndex> loose_points(const Topology& topology) {
 }
 
 [[noreturn]] void refuse_change(const FrameName& before, const FrameName& after, const std::string& what) {
-  io::fail(after.file, fmt::format("{} differs from {}: {}; all frames of a sequence must have the same vertices and "
-                                   "elements. Parts of one scene belong in one file; --check --in-order asks about "
-                                   "each file by itself",
-                                   after.label(), before.label(), what));
+  io::fail(after.file,
+           fmt::format("{} differs from {}: {}; all frames of a sequence must have the same vertices and "
+                       "elements. --check --parts asks about the parts of one scene, and --check --in-order about "
+                       "each file by itself",
+                       after.label(), before.label(), what));
 }
 
 void check_same_count(std::size_t before, std::size_t after, const char* things, const FrameName& name_before,

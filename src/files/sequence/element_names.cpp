@@ -163,6 +163,8 @@ MeshFacts facts_of(const Mesh& mesh, const frames::Topology& topology) {
   facts.welded = topology.welded_vertices;
   facts.dropped = topology.dropped_elements;
   facts.animations = topology.animations;
+  facts.unshown = topology.unshown_meshes;
+  facts.moved = topology.moved_vertices;
   facts.idle = facts.vertices - in_edges - facts.points - facts.welded;
   if (mesh.dimension() == 2) facts.polygons = closed_polygons(mesh, degrees);
   facts.branching = mesh::Pieces(mesh.impl(), mesh::Motion(facts.vertices)).branching();

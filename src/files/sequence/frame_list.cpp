@@ -140,9 +140,10 @@ std::string base_name(const std::string& file) {
     fault = fmt::format("differs from {} in more than numbers", base_name(files.front()));
     break;
   }
-  io::fail(files[at], fmt::format("the name {}. If these files are the frames of one animation, --in-order takes them "
-                                  "in the order given; if they are parts of one scene, join them into one file first",
-                                  fault));
+  io::fail(files[at],
+           fmt::format("the name {}. If these files are the frames of one animation, --in-order takes them "
+                       "in the order given; if they are parts of one scene, --check --parts asks about them together",
+                       fault));
 }
 
 void check_numbers(const std::vector<Numbered>& files) {
@@ -193,6 +194,10 @@ std::string escaped(const std::string& name) {
   return pattern;
 }
 
+/// Endings of other mesh files, which a folder's frames must not be without.
+constexpr std::string_view kUnread[] = {".vtu", ".vtp", ".abc", ".usd",  ".usda", ".usdc", ".usdz", ".fbx",  ".dae",
+                                        ".3ds", ".3mf", ".x3d", ".step", ".stp",  ".iges", ".igs",  ".bgeo", ".xdmf"};
+
 /// The frames of a folder: its files of one format, in the order of their names. Other files in it are no frames.
 std::vector<std::string> frames_in(std::string folder) {
   while (folder.size() > 1 && folder.ends_with('/')) folder.pop_back();
@@ -203,6 +208,13 @@ std::vector<std::string> frames_in(std::string folder) {
     by_ending[std::filesystem::path(file).extension().string()].push_back(file);
   }
   if (by_ending.empty()) io::fail(folder, "is a folder without mesh files");
+  for (const std::string& file : matches_of(escaped(folder) + "/*")) {
+    const std::string ending = std::filesystem::path(file).extension().string();
+    if (std::find(std::begin(kUnread), std::end(kUnread), ending) != std::end(kUnread)) {
+      io::fail(folder, fmt::format("is a folder with {}, a format that is not read; name the files, such as '{}/*{}'",
+                                   base_name(file), io::printable(folder), io::printable(by_ending.begin()->first)));
+    }
+  }
   if (by_ending.size() == 1) return by_ending.begin()->second;
   std::string endings;
   for (const auto& [ending, files] : by_ending) {
@@ -217,9 +229,15 @@ std::vector<std::string> frames_in(std::string folder) {
 std::string FrameName::label() const {
   if (!parts.empty()) {
     std::string names;
-    for (const std::string& part : parts) names += (names.empty() ? "" : " + ") + base_name(part);
+    std::set<std::string> known;
+    const bool repeated = std::any_of(parts.begin(), parts.end(),
+                                      [&](const auto& part) { return !known.insert(base_name(part)).second; });
+    for (const std::string& part : parts) {
+      names += (names.empty() ? "" : " + ") + (repeated ? io::printable(part) : base_name(part));
+    }
     return names;
   }
+  if (!shown_as.empty()) return shown_as;
   std::filesystem::path path = folders == 0 ? std::filesystem::path(file) : with_one_spelling(file);
   std::filesystem::path shown = path.filename();
   for (std::size_t i = 0; i < folders && path.has_parent_path(); ++i) {

@@ -19,6 +19,7 @@ struct FrameName {
   bool several = false;                 ///< whether the file holds several frames
   std::size_t folders = 0;              ///< how many of its folders the label has
   std::vector<std::string> parts = {};  ///< the files of a scene, in place of `file`; empty: it is one
+  std::string shown_as = {};            ///< the label; empty: that of the file
 
   /// The frame in a report and in messages: the file's name, with folders where several files have one name, and "[7]"
   /// when the file holds several frames. It is one line of valid UTF-8, whatever the file is called.

@@ -57,6 +57,8 @@ frames::Frame joined_parts(const std::vector<std::string>& files, const std::vec
     scene->welded_vertices += mesh.welded_vertices;
     scene->dropped_elements += mesh.dropped_elements;
     scene->animations += mesh.animations;
+    scene->unshown_meshes += mesh.unshown_meshes;
+    scene->moved_vertices += mesh.moved_vertices;
     joined.positions.insert(joined.positions.end(), frames[i].positions.begin(), frames[i].positions.end());
     digests += frames[i].digest;
   }

@@ -30,9 +30,11 @@ class Repairs {
   /// @throws FileError  for vertices that are welded, and apart in this frame
   void mend(frames::Frame& frame, const FrameName& name);
 
+  /// Of a frame whose topology was mended: whether vertices that are welded are at one position. @throws FileError
+  void check_welds(const frames::Frame& frame, const FrameName& name) const;
+
  private:
   void begin_with(const frames::Frame& frame, const FrameName& name);
-  void check_welds(const frames::Frame& frame, const FrameName& name) const;
 
   RepairOptions options_;
   bool each_by_itself_;

@@ -56,6 +56,8 @@ std::string json_of(const MeshFacts& facts) {
   if (facts.welded > 0) text += fmt::format(", \"welded_vertices\": {}", facts.welded);
   if (facts.dropped > 0) text += fmt::format(", \"dropped_elements\": {}", facts.dropped);
   if (facts.animations > 0) text += fmt::format(", \"animations_not_read\": {}", facts.animations);
+  if (facts.unshown > 0) text += fmt::format(", \"meshes_outside_scene\": {}", facts.unshown);
+  if (facts.moved > 0) text += fmt::format(", \"moved_vertices\": {}", facts.moved);
   return text + "}";
 }
 

@@ -27,7 +27,8 @@ constexpr std::uint64_t kMostPairs = std::uint64_t{1} << 63;
 MeshFacts facts_from(const JsonNode& node) {
   node.check_keys({"sha256", "dimension", "vertices", "faces", "edges", "points", "idle_vertices",
                    "pairs_with_common_vertex", "closed_polygons", "branching_surfaces", "joined_vertices",
-                   "welded_vertices", "dropped_elements", "animations_not_read"});
+                   "welded_vertices", "dropped_elements", "animations_not_read", "meshes_outside_scene",
+                   "moved_vertices"});
   const auto count = [&](const char* key) {
     return static_cast<std::size_t>(node.at(key).whole_number(0, kMostElements));
   };
@@ -46,6 +47,8 @@ MeshFacts facts_from(const JsonNode& node) {
   if (const auto welded = node.find("welded_vertices")) facts.welded = welded->whole_number(1, facts.vertices);
   if (const auto dropped = node.find("dropped_elements")) facts.dropped = dropped->whole_number(1, kMostElements);
   if (const auto all = node.find("animations_not_read")) facts.animations = all->whole_number(1, kMostElements);
+  if (const auto all = node.find("meshes_outside_scene")) facts.unshown = all->whole_number(1, kMostElements);
+  if (const auto moved = node.find("moved_vertices")) facts.moved = moved->whole_number(1, facts.vertices);
   return facts;
 }
 

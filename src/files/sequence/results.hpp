@@ -175,6 +175,8 @@ struct MeshFacts {
   std::size_t joined = 0;      ///< vertices at which the reader joined solids: no one asks whether they touch there
   std::size_t welded = 0;      ///< vertices for which others at the same positions stand, on request
   std::size_t animations = 0;  ///< of the file, which are not read
+  std::size_t unshown = 0;     ///< meshes of the file that are not in its scene, and not read
+  std::size_t moved = 0;       ///< vertices that the file moves and that are rounded
   std::size_t dropped = 0;     ///< faces and edges of the file that are none, and were left out on request
 
   /// Whether there are edges or faces.

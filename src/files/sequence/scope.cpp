@@ -22,9 +22,10 @@ struct Meshes {
 
   void add(const MeshFacts& facts) {
     ++count;
-    for (const auto member : {&MeshFacts::vertices, &MeshFacts::edges, &MeshFacts::faces, &MeshFacts::points,
-                              &MeshFacts::idle, &MeshFacts::neighbours, &MeshFacts::polygons, &MeshFacts::branching,
-                              &MeshFacts::joined, &MeshFacts::welded, &MeshFacts::dropped, &MeshFacts::animations}) {
+    for (const auto member :
+         {&MeshFacts::vertices, &MeshFacts::edges, &MeshFacts::faces, &MeshFacts::points, &MeshFacts::idle,
+          &MeshFacts::neighbours, &MeshFacts::polygons, &MeshFacts::branching, &MeshFacts::joined, &MeshFacts::welded,
+          &MeshFacts::dropped, &MeshFacts::animations, &MeshFacts::unshown, &MeshFacts::moved}) {
       sum.*member += facts.*member;
     }
     if (!facts.has_pairs()) {
@@ -139,6 +140,14 @@ std::vector<std::string> warnings_of(const Heading& heading, const std::vector<F
   if (const std::size_t animations = meshes.sum.animations; animations > 0) {
     warnings.push_back(
         fmt::format("{} of the file {} not read", counted(animations, "animation"), animations == 1 ? "was" : "were"));
+  }
+  if (const std::size_t unshown = meshes.sum.unshown; unshown > 0) {
+    warnings.push_back(fmt::format("{} of the file {} in its scene, and {} not read", counted(unshown, "mesh"),
+                                   unshown == 1 ? "is not" : "are not", unshown == 1 ? "was" : "were"));
+  }
+  if (const std::size_t moved = meshes.sum.moved; moved > 0) {
+    warnings.push_back(
+        fmt::format("the file moves {}, whose positions are rounded to doubles", counted(moved, "vertex")));
   }
   if (counts.flat > 0) {
     warnings.push_back(fmt::format("{}{} {} flat: that edges of one face lie on each other is no intersection",

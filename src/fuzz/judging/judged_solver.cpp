@@ -53,8 +53,7 @@ bool JudgedSolver::allows(const JudgedReply& judged, const Asked& asked, const A
   const auto& classes = allowance_.classes;
   if (!classes.empty() && std::find(classes.begin(), classes.end(), failure) == classes.end()) return true;
   if (failure == FailureClass::late && allowance_.late) {
-    // A late time as written may round to the answer's toi.
-    return allowance_.late->allows(truth.toi, std::max(*judged.reply.toi, truth.toi));
+    return allowance_.late->allows(truth.toi, certify::late_until(*judged.reply.toi, truth.toi));
   }
   if (failure != FailureClass::phantom || allowance_.near == 0) return false;
   constexpr double kMost = std::numeric_limits<double>::max();

@@ -13,8 +13,7 @@ _HERE = {
     "dhat": "separation", "thickness": "separation", "offset": "separation", "tmax": "t_max", "max_t": "t_max",
     "n_threads": "threads", "num_threads": "threads", "workers": "threads", "n_jobs": "threads", "nthreads": "threads",
     "norm": "metric", "x_start": "start", "x_end": "end", "vertices_t0": "x0", "vertices_t1": "x1", "V0": "x0",
-    "V1": "x1", "conservative_rescaling": "kept_fraction", "rescaling": "kept_fraction", "algorithm": "method",
-    "broad_phase_method": "method", "query_type": "kind",
+    "V1": "x1", "conservative_rescaling": "kept_fraction", "rescaling": "kept_fraction", "query_type": "kind",
 }
 
 

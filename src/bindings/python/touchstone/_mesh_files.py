@@ -44,19 +44,33 @@ def _mesh_of(arrays: _Arrays, path: Any, between_parts: bool) -> Mesh:
     return Mesh(len(positions), faces, edges, loose, groups=groups, group_pairs=np.stack([numbers, numbers], axis=1))
 
 
-def _padded_rows(flat: Any, width: int, name: str) -> npt.NDArray[np.int64]:
-    """PyVista's cells: the number of corners before each one's corners. Lines of more corners are several edges."""
-    values, rows, i = np.asarray(flat).ravel(), [], 0
-    if len(values) % (width + 1) == 0 and (values[::width + 1] == width).all():
-        return values.reshape(-1, width + 1)[:, 1:]
+def _padded(flat: Any, name: str) -> List[npt.NDArray[np.int64]]:
+    """PyVista's cells: the number of corners before each one's corners."""
+    values, cells, i = np.asarray(flat).ravel(), [], 0
     while i < len(values):
         count = int(values[i])
-        if width == 3:
-            raise ValueError(f"{name} has a face of {count} corners; a face has three: triangulate() cuts them")
-        corners = values[i + 1:i + 1 + count]
-        rows.append(np.stack([corners[:-1], corners[1:]], axis=1))
+        if not 0 < count < len(values) - i:
+            raise ValueError(f"{name}[{i}] says that {count} corners follow, and there are {len(values) - i - 1}")
+        cells.append(values[i + 1:i + 1 + count])
         i += 1 + count
-    return np.concatenate(rows)
+    return cells
+
+
+def _padded_faces(flat: Any) -> npt.NDArray[np.int64]:
+    values = np.asarray(flat).ravel()
+    if len(values) % 4 == 0 and (values[::4] == 3).all():
+        return values.reshape(-1, 4)[:, 1:]
+    cells = _padded(values, "thing.faces")
+    most = max(len(cell) for cell in cells)
+    raise ValueError(f"thing.faces has a face of {most} corners; a face has three: triangulate() cuts them")
+
+
+def _padded_edges(flat: Any) -> npt.NDArray[np.int64]:
+    """A line of more corners than two is several edges."""
+    lines = _padded(flat, "thing.lines")
+    if any(len(line) < 2 for line in lines):
+        raise ValueError("thing.lines has a line of one corner; a line has two or more")
+    return np.concatenate([np.stack([line[:-1], line[1:]], axis=1) for line in lines])
 
 
 def _meshio_cells(thing: Any) -> Any:
@@ -92,9 +106,11 @@ def as_mesh(thing: Any) -> MeshFile:
     elif hasattr(thing, "vertices") and hasattr(thing, "faces"):
         positions, faces = thing.vertices, thing.faces
     elif hasattr(thing, "points") and hasattr(thing, "faces"):
-        positions, faces = thing.points, _padded_rows(thing.faces, 3, "thing.faces")
-        edges = _padded_rows(thing.lines, 2, "thing.lines") if len(getattr(thing, "lines", ())) else edges
-        points = _padded_rows(thing.verts, 1, "thing.verts") if len(getattr(thing, "verts", ())) else points
+        positions, faces = thing.points, _padded_faces(thing.faces)
+        edges = _padded_edges(thing.lines) if len(getattr(thing, "lines", ())) else edges
+        points = np.concatenate(_padded(thing.verts, "thing.verts")) if len(getattr(thing, "verts", ())) else points
+        if len(getattr(thing, "strips", ())):
+            raise ValueError("the PolyData has strips of triangles; triangulate() makes faces of them")
         if not len(faces) and not len(edges):
             raise ValueError("the PolyData has neither faces nor lines; Mesh(len(points)) makes loose points")
     elif hasattr(thing, "points") and hasattr(thing, "lines"):
@@ -163,5 +179,7 @@ def read_frames(paths: Iterable[Union[str, os.PathLike[str]]], *, triangulate: b
             if not same:
                 raise ValueError(f"{os.fspath(name)} has other {what} than {os.fspath(names[0])}; all frames must "
                                  "have the same elements")
+        if between_parts and (arrays[4] != first[4] or not np.array_equal(arrays[5], first[5])):
+            raise ValueError(f"{os.fspath(name)} has other parts than {os.fspath(names[0])}, and between_parts is True")
         positions.append(arrays[0])
     return mesh, np.stack(positions)

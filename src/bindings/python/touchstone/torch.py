@@ -6,8 +6,10 @@ from typing import Any, Tuple
 
 import numpy as np
 import torch as _torch  # type: ignore[import]
+from torch.autograd.function import once_differentiable
 
-from . import _queries
+from . import _core, _queries
+from ._hints import hinting
 from ._queries import Kind
 
 _CORNERS_OF_FIRST = {"edge-edge": 2, "vertex-face": 1, "point-edge": 1, "point-point": 1}
@@ -22,34 +24,43 @@ def _array(tensor: Any, name: str) -> Any:
     return tensor.detach().numpy()
 
 
+def _times(derivatives: Any, grad: Any) -> Any:
+    """Their products, which are 0 where the loss does not depend on a query, also one without a derivative."""
+    return _torch.where(grad == 0, _torch.zeros_like(derivatives), derivatives * grad)
+
+
 class _Toi(_torch.autograd.Function):  # type: ignore[misc]
     @staticmethod
     def forward(ctx: Any, *given: Any) -> Any:  # type: ignore[override]
         kind, start, end, t_max, separation, threads = given
         x0, x1 = _array(start, "start"), _array(end, "end")
         answers = _queries.solve(kind, x0, x1, t_max, separation, threads=threads, wanted="time")
-        ctx.asked = (kind, x0, x1, t_max, separation, threads)
-        ctx.contact = np.asarray(answers.contact)
+        ctx.save_for_backward(start, end)
+        ctx.asked = (t_max, separation, threads)
+        ctx.kind, ctx.contact = kind, np.asarray(answers.contact)
         return _torch.from_numpy(np.array(answers.toi, dtype=np.float64))
 
     @staticmethod
+    @once_differentiable  # type: ignore[misc]
     def backward(ctx: Any, grad: Any) -> Tuple[Any, ...]:  # type: ignore[override]
-        kind, x0, x1, t_max, separation, threads = ctx.asked
-        derivatives = _queries.toi_gradient(kind, x0, x1, t_max, separation, threads)
+        x0, x1 = (tensor.detach().numpy() for tensor in ctx.saved_tensors)
+        derivatives = _queries.toi_gradient(ctx.kind, x0, x1, *ctx.asked)
         contact = ctx.contact[..., np.newaxis, np.newaxis, np.newaxis]
         by_time: Any = _torch.from_numpy(np.where(contact, derivatives, 0.0))
-        by_start, by_end = (by_time * grad[..., None, None, None]).unbind(-3)
+        by_start, by_end = _times(by_time, grad[..., None, None, None]).unbind(-3)
         return None, by_start[..., :x0.shape[-1]], by_end[..., :x0.shape[-1]], None, None, None
 
 
+@hinting
 def toi(kind: Kind, start: Any, end: Any, t_max: float = 1.0, separation: float = 0.0, threads: int = 1) -> Any:
     """The largest double <= the exact time of each query's first contact, as a tensor; inf without one.
 
     start, end  tensors of shape (n, corners, 3) or (corners, 3); the other arguments are those of `touchstone.solve`
 
     The gradient is that of the exact time, by `touchstone.toi_gradient`: 0 without a contact, and NaN for a contact
-    whose time has no derivative: in contact at the start, only touching, or at a corner or border. Raises TypeError and
-    ValueError for tensors of another type or on another device, and what `touchstone.solve` raises.
+    whose time has no derivative, if the loss depends on it: in contact at the start, only touching, or at a corner or
+    border. There is no second derivative. Raises TypeError and ValueError for tensors of another type or on another
+    device, and what `touchstone.solve` raises.
 
     >>> import torch, touchstone.torch
     >>> start = torch.tensor([[0., 0, 4], [0, 0, 0]], dtype=torch.float64, requires_grad=True)
@@ -68,27 +79,29 @@ class _Distance(_torch.autograd.Function):  # type: ignore[misc]
         kind, corners, threads = given
         x = _array(corners, "corners")
         found = _queries.distance(kind, x, threads=threads)
-        first = _CORNERS_OF_FIRST[kind]
+        first = _CORNERS_OF_FIRST[_core.kind_name(kind)]
         weights = np.concatenate([-np.asarray(found.weights_a)[..., :first],
                                   np.asarray(found.weights_b)[..., :x.shape[-2] - first]], axis=-1)
         value = np.array(found.value, dtype=np.float64)
-        between = (weights[..., np.newaxis] * x).sum(axis=-2)
-        with np.errstate(divide="ignore", invalid="ignore"):
-            normal = between / np.sqrt((between**2).sum(axis=-1, keepdims=True))
+        # Of elements that are within the next double at rest; it is exact but for the last bits.
+        normal = _queries.contact_normal(kind, x, x, 1.0, np.nextafter(value, np.inf), threads)
+        normal = np.where((value > 0)[..., np.newaxis], normal, np.nan)[..., :x.shape[-1]]
         ctx.derivatives = weights[..., np.newaxis] * normal[..., np.newaxis, :]
         return _torch.from_numpy(value)
 
     @staticmethod
+    @once_differentiable  # type: ignore[misc]
     def backward(ctx: Any, grad: Any) -> Tuple[Any, ...]:  # type: ignore[override]
-        return None, _torch.from_numpy(ctx.derivatives) * grad[..., None, None], None
+        return None, _times(_torch.from_numpy(ctx.derivatives), grad[..., None, None]), None
 
 
+@hinting
 def distance(kind: Kind, corners: Any, threads: int = 1) -> Any:
     """The Euclidean distance of each query's elements at rest, as a tensor: the double nearest to the exact one.
 
     corners  a tensor of shape (n, corners, 3) or (corners, 3); the other arguments are those of `touchstone.distance`
 
-    The gradient is that for the closest points: NaN where the elements touch. Where several pairs of points are closest
+    The gradient is that for the closest points, each derivative within some 2^-48: NaN where the elements touch. Where several pairs of points are closest
     it is the one of those that `touchstone.distance` names. Raises what `toi` raises.
 
     >>> import torch, touchstone.torch
