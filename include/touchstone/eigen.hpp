@@ -241,14 +241,16 @@ Mesh make_mesh(const Eigen::DenseBase<Vertices>& vertices, const Eigen::DenseBas
 template <typename X0, typename X1>
 FirstContact first_contact(const Mesh& mesh, const Eigen::DenseBase<X0>& x0, const Eigen::DenseBase<X1>& x1,
                            const FirstContactOptions& options = {}) {
-  const auto &start = detail::eigen_values(x0), &end = detail::eigen_values(x1);
+  const auto& start = detail::eigen_values(x0);
+  const auto& end = detail::eigen_values(x1);
   return first_contact(mesh, to_positions(start), to_positions(end), options);
 }
 /// As above. to_matrix makes a matrix of the positions.
 template <typename X0, typename X1>
 FreeStep free_step(const Mesh& mesh, const Eigen::DenseBase<X0>& x0, const Eigen::DenseBase<X1>& x1,
                    const FreeStepOptions& options = {}) {
-  const auto &start = detail::eigen_values(x0), &end = detail::eigen_values(x1);
+  const auto& start = detail::eigen_values(x0);
+  const auto& end = detail::eigen_values(x1);
   return free_step(mesh, to_positions(start), to_positions(end), options);
 }
 /// As above.
