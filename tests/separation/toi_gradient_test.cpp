@@ -260,7 +260,7 @@ TEST_CASE("gradients are the differences of times, with a separation too, and mo
     CHECK(std::fabs(by_times - found) <= 1e-8 * std::pow(1 + size, 5));
   }
   CAPTURE(compared);
-  CHECK(compared > effort(1500) / 8);
+  CHECK(compared > effort(1500) / 12);
 }
 
 TEST_CASE("there is no gradient without a contact, at the start, at a border, or where elements only touch") {
