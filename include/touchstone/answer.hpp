@@ -139,8 +139,8 @@ struct Answer {
   Answer() noexcept;
 };
 
-/// For a person: "contact at t in [0.33333333333333331, 0.33333333333333337], crossing, a against b", "no contact". A
-/// time is the shortest decimal that reads back as the same double.
+/// For a person: "contact at t in [0.3333333333333333, 0.33333333333333337], crossing, a against b", "no contact". A time
+/// is the shortest decimal that reads back as the same double.
 std::string to_string(const Answer& answer);
 
 /// Writes the text of to_string.

@@ -68,6 +68,7 @@ def test_curved_queries():
     fan = ts.OnBody(np.array([[[0, 0, 0], [1, 0, 0]], [[0, 0, 0], [2, 0, 0]]], float), q1=[-1, 0, 0, 1])
     with pytest.warns(UserWarning, match="longer"):
         queries = ts.CurvedQueries("point-edge", ts.OnCurves([[[0, 1.5, 0]]]), fan)
+    fan.corners[:] = 9
     again = pickle.loads(pickle.dumps(queries))
     assert repr(again) == repr(queries) and same(again.solve(), queries.solve())
     assert same(copy.deepcopy(queries).solve(), queries.solve())

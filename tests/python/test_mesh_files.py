@@ -52,7 +52,8 @@ def test_elements_in_no_part_collide_between_parts(tmp_path):
 
 
 def test_frames_of_other_parts_are_refused_between_parts(tmp_path):
-    one, two = write(tmp_path, "1.obj", OBJ.format(z=1)), write(tmp_path, "2.obj", OBJ.format(z=2).replace("o lid", "o cap"))
+    one = write(tmp_path, "1.obj", OBJ.format(z=1))
+    two = write(tmp_path, "2.obj", OBJ.format(z=2).replace("o lid", "o cap"))
     assert len(ts.read_frames([one, two])[1]) == 2
     with pytest.raises(ValueError, match="has other parts"):
         ts.read_frames([one, two], between_parts=True)

@@ -203,7 +203,7 @@ TEST_CASE("gradients of other times are within a double, too") {
     }
   }
   CAPTURE(judged);
-  CHECK(50 * judged > effort(3000));
+  CHECK((20 * judged > effort(3000) || !whole_effort("how many gradients of other times are judged")));
 }
 
 TEST_CASE("gradients are the differences of times, with a separation too, and moving all corners changes nothing") {
@@ -260,7 +260,7 @@ TEST_CASE("gradients are the differences of times, with a separation too, and mo
     CHECK(std::fabs(by_times - found) <= 1e-8 * std::pow(1 + size, 5));
   }
   CAPTURE(compared);
-  CHECK(compared > effort(1500) / 12);
+  CHECK((compared > effort(1500) / 8 || !whole_effort("how many differences are compared")));
 }
 
 TEST_CASE("there is no gradient without a contact, at the start, at a border, or where elements only touch") {

@@ -23,7 +23,7 @@
 //                "histogram": [{"from", "below", "claims"}]},    "below" is null when there is no greater one
 //       "time": {...}                          the same for their difference, as hexfloats
 //     },
-//     "late": {...},                           the same of the late ones: from the exact answer's toi to the claimed one
+//     "late": {...},                           the same of the late ones: from the exact toi to the claimed one
 //     "files": [{"file", "kind", "claims": {as above}}],
 //     "refuted": [{                            every claim that does not hold and counts, in input order
 //       "file", "kind", "query",               its number counted from 0 within the file

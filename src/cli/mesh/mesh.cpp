@@ -94,10 +94,6 @@ void check_files(const MeshRunOptions& options, const std::vector<FrameName>& na
     if (name.index == 0) inputs.push_back(name.file);
     inputs.insert(inputs.end(), name.parts.begin(), name.parts.end());
   }
-  for (std::size_t i = 0, count = inputs.size(); i < count; ++i) {
-    const std::vector<std::string> beside = frames::files_beside(inputs[i]);
-    inputs.insert(inputs.end(), beside.begin(), beside.end());
-  }
   if (!options.topology.empty()) inputs.push_back(options.topology);
   if (options.pairs == "-") throw Error("--pairs: name a file to write");
   if (options.html == "-") throw Error("--html: name a file to write");
@@ -126,6 +122,10 @@ void check_files(const MeshRunOptions& options, const std::vector<FrameName>& na
     for (const char* name : {MotionProofs::kMotionFile, MotionProofs::kProofsFile}) {
       outputs.emplace_back("--prove", (std::filesystem::path(options.prove) / name).string());
     }
+  }
+  for (std::size_t i = 0, count = outputs.empty() ? 0 : inputs.size(); i < count; ++i) {
+    const std::vector<std::string> beside = frames::files_beside(inputs[i]);
+    inputs.insert(inputs.end(), beside.begin(), beside.end());
   }
   for (const auto& [option, output] : outputs) refuse_to_overwrite(output, inputs);
   refuse_one_file_twice(outputs);

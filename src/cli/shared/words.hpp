@@ -32,8 +32,8 @@ std::string contact_for_person(const Answer& answer);
 /// Where the verdict of a text is.
 enum class VerdictLine { first, last };
 
-/// The text for standard output: where that is a terminal with colours, and NO_COLOR is not set, the verdict is green or
-/// red, as far as its first bracket or semicolon.
+/// The text for standard output: where that is a terminal with colours, and NO_COLOR is not set, the verdict is green
+/// or red, as far as its first bracket or semicolon.
 std::string in_colour(const std::string& text, VerdictLine line, bool good);
 
 /// The same for a terminal with colours.

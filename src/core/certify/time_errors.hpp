@@ -27,8 +27,8 @@ struct TimeLimit {
   }
 };
 
-/// A late time for `allows` from the answer's toi on. One that was written with more digits may round to that toi: it is
-/// late by a double at most, and counts as late by one.
+/// A late time for `allows` from the answer's toi on. One that was written with more digits may round to that toi: it
+/// is late by a double at most, and counts as late by one.
 inline double late_until(double claimed, double toi) noexcept {
   const double next = std::nextafter(toi, std::numeric_limits<double>::infinity());
   return claimed > toi ? claimed : next;
@@ -42,8 +42,8 @@ struct ErrorBucket {
   std::uint64_t claims = 0;
 };
 
-/// Counts the distances of claimed times from exact ones in buckets that double in width, so that any number of claims takes the same
-/// memory, partial counts from several threads add up to the same, and the bucket of the median is exact.
+/// Counts the distances of claimed times from exact ones in buckets that double in width, so that any number of claims
+/// takes the same memory, partial counts from several threads add up to the same, and the bucket of the median is exact.
 class TimeErrors {
  public:
   /// @param from, to  the claimed time and the answer's toi, or the other way round: finite, from <= to

@@ -29,8 +29,8 @@ a shape or name that does not fit. The message names the argument, and the row w
 Calls run without Python's global lock, and Ctrl-C ends them with KeyboardInterrupt. Do not write to an array while a
 call reads it.
 """
-from ._core import (Answer, Answers, ClosestApproach, Distance, Distances, ExactTime, Finding, FirstContact, FreeStep, FuzzReport,
-                    Intersections, Mesh, MeshSteps, Pairs, __version__)
+from ._core import (Answer, Answers, ClosestApproach, Distance, Distances, ExactTime, Finding, FirstContact, FreeStep,
+                    FuzzReport, Intersections, Mesh, MeshSteps, Pairs, __version__)
 from ._names import Feature, Level, Nature, Trend
 from ._queries import contact_normal, contact_times, distance, solve, toi_gradient
 from ._curved import CurvedQueries, OnBody, OnCurves

@@ -1,6 +1,7 @@
 """Queries about bodies that turn and corners on curves. SPDX-License-Identifier: MIT"""
 from __future__ import annotations
 
+import copy
 import warnings
 from dataclasses import dataclass
 from typing import List, Optional, Union
@@ -98,7 +99,7 @@ class CurvedQueries:
                 raise TypeError(f"{name} is of type {found}; it must be touchstone.OnBody or touchstone.OnCurves")
         if not isinstance(shorter_turn, (bool, np.bool_)):
             raise TypeError(f"shorter_turn is of type {type(shorter_turn).__name__}; it must be a bool")
-        self._made_of = kind, first, second, bool(shorter_turn)
+        self._made_of = copy.deepcopy((kind, first, second, bool(shorter_turn)))  # the caller's arrays may change
         self._core = _core.curved_queries(kind, first._parts(), second._parts(), bool(shorter_turn))
         longer = self._core.longer_turns
         if longer and not shorter_turn:

@@ -7,13 +7,14 @@ from typing import Any, Callable, TypeVar
 
 _Function = TypeVar("_Function", bound=Callable[..., Any])
 
-# The names of ipc-toolkit, Tight-Inclusion, FCL, trimesh and others.
+# The names of ipc-toolkit, Tight-Inclusion, FCL, trimesh and others, for what means the same: no rescaling, which is 1
+# less what is kept.
 _HERE = {
     "min_distance": "separation", "minimum_separation": "separation", "min_sep": "separation", "ms": "separation",
-    "dhat": "separation", "thickness": "separation", "offset": "separation", "tmax": "t_max", "max_t": "t_max",
+    "thickness": "separation", "offset": "separation", "tmax": "t_max", "max_t": "t_max",
     "n_threads": "threads", "num_threads": "threads", "workers": "threads", "n_jobs": "threads", "nthreads": "threads",
     "norm": "metric", "x_start": "start", "x_end": "end", "vertices_t0": "x0", "vertices_t1": "x1", "V0": "x0",
-    "V1": "x1", "conservative_rescaling": "kept_fraction", "rescaling": "kept_fraction", "query_type": "kind",
+    "V1": "x1", "query_type": "kind",
 }
 
 

@@ -101,8 +101,8 @@ def distance(kind: Kind, corners: Any, threads: int = 1) -> Any:
 
     corners  a tensor of shape (n, corners, 3) or (corners, 3); the other arguments are those of `touchstone.distance`
 
-    The gradient is that for the closest points, each derivative within some 2^-48: NaN where the elements touch. Where several pairs of points are closest
-    it is the one of those that `touchstone.distance` names. Raises what `toi` raises.
+    The gradient is that for the closest points, each derivative within some 2^-48: NaN where the elements touch. Where
+    several pairs of points are closest it is the one of those that `touchstone.distance` names. Raises what `toi` raises.
 
     >>> import torch, touchstone.torch
     >>> corners = torch.tensor([[0., 3, 0], [-1, 0, 0], [1, 0, 0]], dtype=torch.float64, requires_grad=True)
