@@ -31,7 +31,7 @@ int run_merge(const MergeOptions& options) {
   const bool to_standard_output = options.out == "-";
   io::OutputFile out = to_standard_output ? io::OutputFile::standard_output() : io::OutputFile(options.out);
   std::optional<io::OutputFile> pairs;
-  if (!options.pairs.empty()) pairs.emplace(options.pairs).write(sequence::pairs_table(report));
+  if (!options.pairs.empty()) pairs.emplace(options.pairs).write(sequence::pairs_table(report, options.numbers));
   out.write(sequence::report_text(report));
   if (pairs) pairs->commit();
   out.commit();
@@ -56,6 +56,7 @@ void add_merge(CLI::App& program, Command& command) {
       ->type_name("FILE");
   subcommand->add_option("--pairs", options->pairs, "Write a table (CSV) with a row for each pair in contact")
       ->type_name("FILE");
+  add_numbers_option(*subcommand, options->numbers);
   subcommand->footer(
       "The result is that of one run without --shard, byte for byte. Each report must be undamaged and of the same "
       "run:\n"

@@ -95,20 +95,12 @@ void add_solve(CLI::App& program, Command& command) {
                    "The file for the answers (default: standard output). It appears when all answers are complete; "
                    "after an error there is none")
       ->type_name("FILE");
-  subcommand
-      ->add_option_function<std::string>(
-          "--numbers",
-          [options](const std::string& name) {
-            options->numbers = name == "decimal" ? io::Numbers::decimals : io::Numbers::hexfloats;
-          },
-          "How doubles are written in CSV: hex (default), or decimal, the shortest that reads back as the same double")
-      ->type_name("SORT")
-      ->check(CLI::IsMember({"hex", "decimal"}));
+  add_numbers_option(*subcommand, options->numbers);
   subcommand->add_flag("--json", options->json, "Write a JSON object a line, with decimals, in place of CSV");
   subcommand->footer(
       "The answers are CSV with the columns file,query,contact,toi,toi_upper,nature,feature_a,feature_b,level. Each\n"
       "query has a row, in input order; the number of threads changes nothing. toi and toi_upper are the neighbouring\n"
-      "doubles around the exact first time of contact, as C hexfloats. They are equal when the time is a double, and\n"
+      "doubles around the exact first time of contact. They are equal when the time is a double, and\n"
       "empty without contact.\n\n"
       "With --separation D a contact is a distance of at most D, and the columns "
       "starts_within,trend,separation,metric\n"

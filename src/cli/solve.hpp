@@ -12,7 +12,7 @@ namespace touchstone::cli {
 
 struct SolveCommandOptions : QueryOptions {
   std::string out = "-";
-  io::Numbers numbers = io::Numbers::hexfloats;
+  io::Numbers numbers = io::Numbers::decimals;
   bool json = false;  ///< lines of JSON in place of CSV
 };
 

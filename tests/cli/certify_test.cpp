@@ -202,6 +202,47 @@ TEST_CASE("claims that are late within a limit, or wrong in other ways, are coun
   CHECK(occurrences(certify({"--late", "2 ulps"}).err, "must be a number of ulps, 16ulps") == 1);
 }
 
+TEST_CASE("a decimal stands for itself, and beside a toi_upper for the double that it spells") {
+  const TemporaryFolder folder;
+  const std::string file = folder.write("point-point/a.csv", two_point_queries());
+  // Above the exact time 1/3, and its nearest double below.
+  const std::string row = "0,1,0.33333333333333334", upper = ",0.33333333333333337\n1,0,,\n";
+  const std::string alone = folder.write("alone.csv", "query,contact,toi\n" + row + "\n1,0,\n");
+  CHECK(run_program({"certify", "--claims", alone, file}).out.starts_with("1 of 2 claims refuted"));
+  CHECK(run_program({"certify", "--as-doubles", "--claims", alone, file}).out.starts_with("all 2 claims hold"));
+  const std::string both = folder.write("both.csv", "query,contact,toi,toi_upper\n" + row + upper);
+  CHECK(run_program({"certify", "--claims", both, file}).out.starts_with("all 2 claims hold"));
+}
+
+TEST_CASE("lines of JSON have a verdict for each claim, and the summary is beside them") {
+  const TemporaryFolder folder;
+  const std::string file = folder.write("point-point/a.csv", two_point_queries());
+  const std::string claims = folder.write("c.csv", "query,contact,toi\n0,1,0x1.5555555555557p-2\n1,1,0.5\n");
+  const Run run = run_program({"certify", "--json", "--class", "phantom", "--claims", claims, file});
+  CHECK(run.status == 1);
+  CHECK(run.err.starts_with("1 of 2 claims refuted, and 1 wrong in other ways than phantom (claims of "));
+  const std::size_t end = run.out.find('\n');
+  const json late = json::parse(run.out.substr(0, end)), phantom = json::parse(run.out.substr(end + 1));
+  CHECK(late["verdict"] == "late");
+  CHECK(late["refuted"] == false);
+  CHECK(late["claimed_contact"] == true);
+  CHECK(late["claimed_toi"] == 0x1.5555555555557p-2);
+  CHECK(late["toi"] == 0x1.5555555555555p-2);
+  CHECK_FALSE(late.contains("separation"));
+  CHECK(phantom["query"] == 1);
+  CHECK(phantom["contact"] == false);
+  CHECK(phantom["toi"].is_null());
+  CHECK(phantom["verdict"] == "phantom");
+  CHECK(phantom["refuted"] == true);
+  const Run truth = run_program({"certify", "--json", "--separation", "0.1", file});
+  CHECK(json::parse(truth.out.substr(0, truth.out.find('\n')))["separation"] == 0.1);
+  for (const char* const option : {"--report", "--proofs"}) {
+    const Run both = run_program({"certify", "--json", option, "-", "--claims", claims, file});
+    CHECK(both.status == 2);
+    CHECK(occurrences(both.err, std::string(option) + " names standard output, which another option names too") == 1);
+  }
+}
+
 TEST_CASE("the report is the same for any number of threads and any chunk size") {
   const TemporaryFolder folder;
   const SampleFile sample = sample_file(Kind::edge_edge, 9, 2);

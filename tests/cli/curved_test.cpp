@@ -85,12 +85,12 @@ TEST_CASE("solve answers curved files beside straight ones, as the library does"
     const std::vector<CurvedQuery> queries = some_queries(kind, effort(60));
     files.push_back(folder.write(name + "/curved.csv", text_of(queries)));
     for (std::size_t i = 0; i < queries.size(); ++i) {
-      io::append_answer(expected, files.back(), i, solve(queries[i]));
+      io::append_answer(expected, files.back(), i, solve(queries[i]), io::Numbers::decimals);
     }
     const SampleFile sample = sample_file(kind, 3, 1);
     files.push_back(folder.write(name + "/straight.csv", sample.text));
     for (std::size_t i = 0; i < sample.queries.size(); ++i) {
-      io::append_answer(expected, files.back(), i, sample.answers[i]);
+      io::append_answer(expected, files.back(), i, sample.answers[i], io::Numbers::decimals);
     }
   }
   for (const std::string threads : {"1", "2", "7"}) {
@@ -131,10 +131,10 @@ TEST_CASE("longer turns are told once a file, and --shorter-turn takes the short
     CHECK(run.err == told + "touchstone: " + one +
                          ": warning: the motion in row 3 takes the longer of two turns (q0 . q1 < 0), as recorded "
                          "poses with the other sign do; --shorter-turn takes the shorter ones\n");
-    CHECK(occurrences(run.out, ",1,0x1.") == 3);
+    CHECK(occurrences(run.out, ",1,0.") == 3);
   }
   const Run solved = run_program({"solve", "--shorter-turn", file});
-  CHECK(occurrences(solved.out, ",1,0x1.") == 0);
+  CHECK(occurrences(solved.out, ",1,0.") == 0);
   CHECK(solved.err == "touchstone: " + file +
                           ": q1 of 2 motions, the first in row 9, has got the other sign, for the shorter turn\n");
   CHECK(run_program({"solve", none}).err.empty());
@@ -294,7 +294,7 @@ TEST_CASE("a separation of curved queries: all levels answer as the library does
         const Answer answer = solve(queries[i], {.separation = separation});
         contacts += answer.contact ? 1 : 0;
         starting += answer.starts_within ? 1 : 0;
-        io::append_answer(expected, file, i, answer, separation);
+        io::append_answer(expected, file, i, answer, separation, io::Numbers::decimals);
       }
       const std::string claims = folder.path("claims.csv");
       REQUIRE(run_with(separation, {"solve", "--out", claims, file}).status == 0);

@@ -66,7 +66,7 @@ TEST_CASE("a planted crossing is named by frame, pair and exact time, in every f
   CHECK(step["first"][0]["second"]["part"] == "cloth");
   CHECK(step["intersections"].size() == 2);
   CHECK(occurrences(folder.read("p.csv"),
-                    "\nf-2.obj,f-3.obj,first,vertex-face,vertex,26,,needle,face,7 8 12,11,cloth,0x1p-1,0x1p-1,"
+                    "\nf-2.obj,f-3.obj,first,vertex-face,vertex,26,,needle,face,7 8 12,11,cloth,0.5,0.5,"
                     "crossing,v,f,\n") == 1);
   CHECK(folder.names().count("r.json.progress") == 0);
 }
@@ -78,6 +78,26 @@ TEST_CASE("the option --report - writes the report in place of the summary") {
   const Run run = mesh(with({"--report", "-"}, files));
   CHECK(run.status == 1);
   CHECK(run.out == folder.read("r.json"));
+}
+
+TEST_CASE("the option --json writes a line for each result with decimals, and the verdict beside them") {
+  const TemporaryFolder folder;
+  const auto files = write_needles(folder, "f", 4, 4, falling_tip);
+  const Run run = mesh(with({"--json", "--clearance", "--pairs", folder.path("p.csv"), "--numbers", "hex"}, files));
+  CHECK(run.status == 1);
+  CHECK(run.err == verdict(mesh(with({"--clearance"}, files))) + "\n");
+  const auto lines = lines_of(run.out);
+  REQUIRE(lines.size() == 4);
+  const auto first = nlohmann::json::parse(lines[0]), step = nlohmann::json::parse(lines[3]);
+  CHECK(first["frame"] == "f-0.obj");
+  CHECK(first["free"] == true);
+  CHECK(step["from"] == "f-2.obj");
+  CHECK(step["to"] == "f-3.obj");
+  CHECK(step["toi"] == 0.5);
+  CHECK(step["first"].size() == 1);
+  CHECK(nlohmann::json::parse(lines[1])["clearance"]["distance"].is_number());
+  CHECK(occurrences(folder.read("p.csv"), ",cloth,0x1p-1,0x1p-1,crossing,v,f,\n") == 1);
+  check_refused(mesh(with({"--json", "--report", "-"}, files)), "--report: standard output has the lines of --json");
 }
 
 TEST_CASE("the number of threads changes nothing, and neither does the order of the arguments") {

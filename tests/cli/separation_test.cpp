@@ -70,18 +70,17 @@ TEST_CASE("solve writes what a separation's answer has in addition, and the sepa
     return run.out;
   };
   CHECK(rows({"--separation", "1"}) == kQueryHeader + file +
-                                           ",0,1,0x1p-1,0x1p-1,entering,p,q,exact,0,approaching,0x1p+0,euclidean\n" +
-                                           file + ",1,0,,,,,,exact,,,0x1p+0,euclidean\n");
+                                           ",0,1,0.5,0.5,entering,p,q,exact,0,approaching,1,euclidean\n" + file +
+                                           ",1,0,,,,,,exact,,,1,euclidean\n");
   CHECK(rows({"--metric", "max", "--separation", "0x1p+2"}) ==
-        kQueryHeader + file + ",0,1,0x0p+0,0x0p+0,sustained,p,q,exact,1,approaching,0x1p+2,max\n" + file +
-            ",1,1,0x0p+0,0x0p+0,sustained,p,q,exact,1,constant,0x1p+2,max\n");
+        kQueryHeader + file + ",0,1,0,0,sustained,p,q,exact,1,approaching,4,max\n" + file +
+            ",1,1,0,0,sustained,p,q,exact,1,constant,4,max\n");
   // Touching: the answers are those without the option. A negative zero is zero.
   for (const char* zero : {"0", "-0", "0x0p+0"}) {
-    CHECK(rows({"--separation", zero}) == kQueryHeader + file +
-                                              ",0,1,0x1.8p-1,0x1.8p-1,isolated,p,q,exact,0,,0x0p+0,euclidean\n" + file +
-                                              ",1,0,,,,,,exact,,,0x0p+0,euclidean\n");
+    CHECK(rows({"--separation", zero}) == kQueryHeader + file + ",0,1,0.75,0.75,isolated,p,q,exact,0,,0,euclidean\n" +
+                                              file + ",1,0,,,,,,exact,,,0,euclidean\n");
   }
-  CHECK(occurrences(rows({"--separation", "0.1"}), ",0x1.999999999999ap-4,euclidean\n") == 2);  // the nearest double
+  CHECK(occurrences(rows({"--separation", "0.1"}), ",0.1,euclidean\n") == 2);
 }
 
 TEST_CASE("separation 0 adds columns to the answers and changes none") {
@@ -331,7 +330,7 @@ TEST_CASE("report asks about the separation, with the baselines that take one", 
   CHECK(occurrences(text, "conservative_advancement") == 0);
   const std::string csv = folder.read("r/report.csv");
   CHECK(csv.find(",level_oracle,separation,metric\n") < csv.find('\n'));
-  CHECK(occurrences(csv, ",0x1.0624dd2f1a9fcp-10,euclidean\n") > 0);
+  CHECK(occurrences(csv, ",0.001,euclidean\n") > 0);
 }
 
 TEST_CASE("stress asks about the separation, with the baselines that take one", "[slow]") {
@@ -342,5 +341,5 @@ TEST_CASE("stress asks about the separation, with the baselines that take one", 
   CHECK(stress.status == 0);
   CHECK(occurrences(folder.read("s/stress.md"), "`touchstone` is wrong on 0 of ") == 1);
   CHECK(occurrences(folder.read("s/stress.md"), "| thick_polynomial |") > 0);
-  CHECK(occurrences(folder.read("s/stress.csv"), ",0x1.0624dd2f1a9fcp-10,euclidean\n") > 0);
+  CHECK(occurrences(folder.read("s/stress.csv"), ",0.001,euclidean\n") > 0);
 }

@@ -19,7 +19,9 @@ namespace {
 
 std::string expected_rows(const std::string& file, const std::vector<Answer>& answers) {
   std::string rows;
-  for (std::size_t i = 0; i < answers.size(); ++i) io::append_answer(rows, io::csv_field(file), i, answers[i]);
+  for (std::size_t i = 0; i < answers.size(); ++i) {
+    io::append_answer(rows, io::csv_field(file), i, answers[i], io::Numbers::decimals);
+  }
   return rows;
 }
 
@@ -60,8 +62,8 @@ TEST_CASE("answers as decimals and as lines of JSON read back as the same answer
         words.push_back(file);
         return run_program(words);
       };
-      const std::string hexfloats = run_with({"solve"}).out;
-      const std::string decimals = run_with({"solve", "--numbers", "decimal"}).out;
+      const std::string hexfloats = run_with({"solve", "--numbers", "hex"}).out;
+      const std::string decimals = run_with({"solve"}).out;
       CHECK(hexfloats.find("0x1") != std::string::npos);
       CHECK(decimals.find("0x") == std::string::npos);
       const std::string lines = run_with({"solve", "--json"}).out;
@@ -83,7 +85,7 @@ TEST_CASE("answers as decimals and as lines of JSON read back as the same answer
       CHECK(count == sample.queries.size());
       for (const auto& [name, text] : std::vector<std::pair<std::string, std::string>>{
                {"hex.csv", hexfloats}, {"decimal.csv", decimals}, {"lines.jsonl", lines}}) {
-        const Run judged = run_program({"certify", "--as-doubles", "--claims", folder.write(name, text), file});
+        const Run judged = run_program({"certify", "--claims", folder.write(name, text), file});
         CAPTURE(name, judged.out, judged.err);
         CHECK(judged.status == 0);
         CHECK(judged.out.starts_with("all " + std::to_string(count) + " claims hold"));
@@ -131,7 +133,7 @@ TEST_CASE("standard output and a named file get the same bytes, and the summary 
   std::string name = file;
   name.replace(name.find("\"b\""), 3, "\"\"b\"\"");
   CHECK(direct.out == std::string(io::kAnswerHeader) + "\"" + name +
-                          "\",0,1,0x1.5555555555555p-2,0x1.5555555555556p-2,isolated,p,q,exact\n"
+                          "\",0,1,0.3333333333333333,0.33333333333333337,isolated,p,q,exact\n"
                           "\"" +
                           name + "\",1,0,,,,,," + (occurrences(direct.out, "filter") > 0 ? "filter\n" : "exact\n"));
   const Run dash = run_program({"solve", "--out", "-", file});
@@ -151,5 +153,5 @@ TEST_CASE("coordinates that are no doubles are solved as the rationals that they
   const std::string file = folder.write("point-point/a.csv", rows + near);
   const Run run = run_program({"solve", file});
   CHECK(run.out ==
-        std::string(io::kAnswerHeader) + file + ",0,1,0x1p-1,0x1p-1,isolated,p,q,exact\n" + file + ",1,0,,,,,,exact\n");
+        std::string(io::kAnswerHeader) + file + ",0,1,0.5,0.5,isolated,p,q,exact\n" + file + ",1,0,,,,,,exact\n");
 }

@@ -66,14 +66,16 @@ TEST_CASE("an answer is one row, empty where there is nothing to say") {
   answer.toi = 0.375;
   answer.toi_upper = 0x1.8000000000001p-2;
   std::string text(io::kAnswerHeader);
-  io::append_answer(text, "x.csv", 12, answer);
+  io::append_answer(text, "x.csv", 12, answer, io::Numbers::hexfloats);
+  io::append_answer(text, "x.csv", 13, answer, io::Numbers::decimals);
   Answer none;
   none.level = Level::filter;
-  io::append_answer(text, io::csv_field("a,\"b\".csv"), 13, none);
+  io::append_answer(text, io::csv_field("a,\"b\".csv"), 14, none, io::Numbers::decimals);
   CHECK(text ==
         "file,query,contact,toi,toi_upper,nature,feature_a,feature_b,level\n"
         "x.csv,12,1,0x1.8p-2,0x1.8000000000001p-2,grazing,a0,b,exact\n"
-        "\"a,\"\"b\"\".csv\",13,0,,,,,,filter\n");
+        "x.csv,13,1,0.375,0.37500000000000006,grazing,a0,b,exact\n"
+        "\"a,\"\"b\"\".csv\",14,0,,,,,,filter\n");
 }
 
 TEST_CASE("a field that a spreadsheet would run has an apostrophe before it") {
@@ -103,7 +105,8 @@ TEST_CASE("written answers are read back as claims, whatever the files are calle
     Answer answer;
     answer.contact = rng.one_in(2);
     if (answer.contact) answer.toi = answer.toi_upper = rng.unit();
-    io::append_answer(text, io::csv_field(name), i, answer);
+    io::append_answer(text, io::csv_field(name), i, answer,
+                      i % 2 == 0 ? io::Numbers::decimals : io::Numbers::hexfloats);
     expected.push_back({name, true, i, answer.contact, std::nullopt, 0});
     if (answer.contact) expected.back().toi = answer.toi;
   }

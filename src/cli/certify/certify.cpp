@@ -23,6 +23,7 @@
 #include "cli/shared/progress/summary.hpp"
 #include "cli/shared/proofs/proof_file.hpp"
 #include "cli/shared/words.hpp"
+#include "io/answers/answer_writer.hpp"
 #include "io/fail.hpp"
 #include "io/output_file.hpp"
 #include "io/queries/query_parser.hpp"
@@ -64,6 +65,7 @@ struct CertifyItem : QueryItem {
   Questions questions;
   std::vector<certify::RefutedClaim> first_refuted;  ///< at most kShownClaims
   std::string refuted_json;                          ///< all of them, each after a separator; only for a report
+  std::string lines;                                 ///< of JSON, one a query; only for --json
   ProvedQueries proved;                              ///< only for --proofs
 };
 
@@ -114,10 +116,18 @@ std::variant<RationalQuery, CurvedQuery> as_given(const io::QueryRecord& record)
   return io::query_as_given(record);
 }
 
+/// The members of a line of JSON beside those of the exact answer. A time is the nearest double.
+std::string verdict_members(const Claim& claim, Verdict verdict, bool is_refuted) {
+  const std::string toi = claim.toi ? io::number_text(*claim.toi, io::Numbers::decimals) : "null";
+  return fmt::format(",\"claimed_contact\":{},\"claimed_toi\":{},\"verdict\":\"{}\",\"refuted\":{}", claim.contact, toi,
+                     name_of(verdict), is_refuted);
+}
+
 void judge_queries(CertifyItem& item, const CertifyOptions& options, const std::vector<Input>& inputs) {
   if (item.chunk.file == nullptr) return;  // reading failed
   if (!options.proofs.empty()) refuse_decimals(item.chunk);
   const bool from_file = !options.claims.empty();
+  const std::string file = io::json_string(inputs[item.input].name);
   io::QueryParser parser(item.chunk, options.turns);
   io::QueryRecord record;
   for (std::size_t i = 0; parser.next(record); ++i) {
@@ -133,7 +143,13 @@ void judge_queries(CertifyItem& item, const CertifyOptions& options, const std::
     const Verdict verdict = verdict_on(claim, record.query, answer, separation);
     item.tally.add(claim, answer, verdict);
     if (!options.proofs.empty()) item.proved.add(inputs[item.input], record, answer, separation);
-    if (verdict == Verdict::holds || !counts(options, claim, answer, verdict, item.not_counted)) continue;
+    const bool is_refuted = verdict != Verdict::holds && counts(options, claim, answer, verdict, item.not_counted);
+    if (options.json) {
+      io::append_answer_line(item.lines, file, record.number, answer,
+                             separation.distance > 0 || options.separation.given ? &separation : nullptr,
+                             verdict_members(claim, verdict, is_refuted));
+    }
+    if (!is_refuted) continue;
     certify::RefutedClaim refuted{
         inputs[item.input].name, record.number, record.first_row, record.last_row, claim, verdict, answer,
         as_given(record),        separation};
@@ -235,7 +251,8 @@ int run_certify(const CertifyOptions& options) {
   if (!options.claims.empty()) read_files.push_back(options.claims);
   refuse_to_overwrite(options.report, read_files);
   refuse_to_overwrite(options.proofs, read_files);
-  refuse_one_file_twice({{"--report", options.report}, {"--proofs", options.proofs}});
+  refuse_one_file_twice(
+      {{"--json", options.json ? "-" : ""}, {"--report", options.report}, {"--proofs", options.proofs}});
 
   const auto separations_of_file = options.proofs.empty() ? SeparationsOfFile::several : SeparationsOfFile::one;
   std::optional<ClaimStream> claims;
@@ -245,6 +262,8 @@ int run_certify(const CertifyOptions& options) {
     claims.emplace(options.claims, columns, options.decimals, inputs, options.separation, separations_of_file,
                    options.chunk_bytes);
   }
+  std::optional<io::OutputFile> lines;
+  if (options.json) lines.emplace(io::OutputFile::standard_output());
   std::optional<GrowingReport> report;
   if (!options.report.empty()) report.emplace(options.report);
   std::optional<ProofFile> proofs;
@@ -280,6 +299,7 @@ int run_certify(const CertifyOptions& options) {
         const std::size_t shown = std::min(room, item.first_refuted.size());
         std::move(item.first_refuted.begin(), item.first_refuted.begin() + static_cast<std::ptrdiff_t>(shown),
                   std::back_inserter(first_refuted));
+        if (lines) lines->write(item.lines);
         if (report) report->add(item.refuted_json);
         if (proofs) {  // then all claims about a file have one separation
           const bool stated = !item.claims.empty();
@@ -299,10 +319,13 @@ int run_certify(const CertifyOptions& options) {
   if (proofs) proofs->finish();
   progress.wipe();
   turns.tell();
-  if (options.report != "-" && options.proofs != "-") {
+  const std::string text =
+      summary(options, left_out, inputs, questions, tally, not_counted, first_refuted, seconds, threads);
+  if (lines) {
+    lines->commit();
+    print_error(text);
+  } else if (options.report != "-" && options.proofs != "-") {
     auto console = io::OutputFile::standard_output();
-    const std::string text =
-        summary(options, left_out, inputs, questions, tally, not_counted, first_refuted, seconds, threads);
     console.write(in_colour(text, VerdictLine::first, tally.verdicts.refuted() == not_counted.claims()));
     console.commit();
   }
@@ -337,6 +360,10 @@ void add_certify(CLI::App& program, Command& command) {
                    "Wrong claims of these classes alone count as refuted, such as missed,late (default: all)",
                    [options](const std::string& name) { options->classes.push_back(*from_name<Verdict>(name)); });
   subcommand->add_flag("--histogram", options->histogram, "Show how early and how late the claims are");
+  subcommand->add_flag(
+      "--json", options->json,
+      "Write a JSON object a line for each claim to standard output: its verdict and the exact answer, "
+      "with decimals; the summary goes to standard error");
   subcommand
       ->add_option(
           "--report", options->report,

@@ -24,6 +24,7 @@ struct CertifyOptions : QueryOptions {
   std::optional<certify::TimeLimit> late;
   std::vector<Verdict> classes;  ///< empty: all
   bool histogram = false;        ///< of how early and late the claims are
+  bool json = false;             ///< verdicts as lines of JSON on standard output, the summary beside it
 };
 
 int run_certify(const CertifyOptions& options);

@@ -97,6 +97,8 @@ void check_files(const MeshRunOptions& options, const std::vector<FrameName>& na
   if (!options.topology.empty()) inputs.push_back(options.topology);
   if (options.pairs == "-") throw Error("--pairs: name a file to write");
   if (options.html == "-") throw Error("--html: name a file to write");
+  if (options.json && options.report == "-")
+    throw Error("--report: standard output has the lines of --json; name a file");
   const std::optional<std::string> journal = journal_path(options.report);
   if (options.resume && options.report == "-")
     throw Error("--resume: name the report's file, standard output has none");
@@ -390,7 +392,9 @@ int run_mesh(const MeshRunOptions& options) {
     summary +=
         fmt::format("animation in {}, {} bytes: open it in a browser\n", io::printable(options.html), grouped(size));
   }
-  if (!summary.empty() && options.report != "-") {
+  if (options.json) {
+    print_error(summary);
+  } else if (!summary.empty() && options.report != "-") {
     auto console = io::OutputFile::standard_output();
     console.write(summary);
     console.commit();

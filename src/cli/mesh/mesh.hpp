@@ -8,6 +8,7 @@
 
 #include "cli/shared/command_line/command.hpp"
 #include "cli/shared/command_line/separation_options.hpp"
+#include "io/answers/answer_writer.hpp"
 #include "sequence/repairs.hpp"
 #include "sequence/results.hpp"
 
@@ -25,7 +26,9 @@ struct MeshRunOptions {
   int threads = 0;         ///< 0: all that the machine has
   std::optional<sequence::Shard> shard;
   std::string report, pairs, queries, prove;
-  std::string html;  ///< the page to write; empty: none
+  io::Numbers numbers = io::Numbers::decimals;  ///< of pairs
+  bool json = false;                            ///< results as lines of JSON on standard output, the verdict beside it
+  std::string html;                             ///< the page to write; empty: none
   bool resume = false;
   std::string topology, dataset;
   std::string velocity;  ///< the file of velocities that say the second frame; empty: none

@@ -105,8 +105,12 @@ void add_mesh(CLI::App& program, Command& command) {
                  "Go on with the run that was to write this report and was stopped. Its finished steps are in "
                  "FILE.progress")
       ->needs(report);
+  subcommand->add_flag("--json", options->json,
+                       "Write a JSON object a line for each step or frame to standard output, with decimals, and the "
+                       "verdict to standard error");
   subcommand->add_option("--pairs", options->pairs, "Write a table (CSV) with a row for each pair in contact")
       ->type_name("FILE");
+  add_numbers_option(*subcommand, options->numbers);
   subcommand
       ->add_option("--queries", options->queries,
                    "Write the pairs in contact as FOLDER/KIND/contacts.csv, query files for explain and certify")

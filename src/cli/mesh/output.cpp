@@ -21,6 +21,7 @@
 #include "sequence/checks.hpp"
 #include "sequence/pairs_table.hpp"
 #include "sequence/report_json.hpp"
+#include "sequence/results_json.hpp"
 
 namespace touchstone::cli {
 namespace {
@@ -163,11 +164,15 @@ void MeshOutput::add(sequence::Finished finished, const frames::Frame& before, c
   if (journal_ && !known) journal_->add(finished);
   const sequence::Result& result = finished.result;
   if (pairs_file_) {
-    pairs_file_->write(
-        sequence::pair_rows(result, label(result.frame), result.step ? label(result.frame + 1) : std::string()));
+    pairs_file_->write(sequence::pair_rows(result, label(result.frame),
+                                           result.step ? label(result.frame + 1) : std::string(), options_.numbers));
   }
-  const std::string lines = lines_of(result, before, after);
-  if (options_.report != "-") {
+  const std::string lines = lines_of(result, before, after);  // writes the queries, too
+  if (options_.json) {
+    console_.write(sequence::result_line(result, label(result.frame), result.step ? label(result.frame + 1) : "") +
+                   "\n");
+    console_.commit();
+  } else if (options_.report != "-") {
     console_.write(lines);
     console_.commit();  // a step may take minutes
   }
@@ -277,6 +282,8 @@ bool MeshOutput::finish() {
   if (journal_) journal_->remove();
   if (options_.report == "-") {
     console_.write(sequence::report_text(report_));
+  } else if (options_.json) {
+    print_error(counts_summary());
   } else {
     console_.write(in_colour(counts_summary(), VerdictLine::last, counts_.all_free()));
   }

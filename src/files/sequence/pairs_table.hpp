@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "io/answers/answer_writer.hpp"
 #include "sequence/results.hpp"
 
 namespace touchstone::sequence {
@@ -18,9 +19,9 @@ inline constexpr std::string_view kPairsHeader =
 /// A row for each pair of a result.
 /// @param from  the label of the result's frame, or of the first frame of its step
 /// @param to    the label of the step's last frame; empty for a frame at rest
-std::string pair_rows(const Result& result, std::string_view from, std::string_view to);
+std::string pair_rows(const Result& result, std::string_view from, std::string_view to, io::Numbers form);
 
 /// The whole table of a report.
-std::string pairs_table(const Report& report);
+std::string pairs_table(const Report& report, io::Numbers form);
 
 }  // namespace touchstone::sequence

@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "geometry/kind_traits.hpp"
+#include "io/answers/answer_writer.hpp"
 #include "io/fail.hpp"
 #include "io/times.hpp"
 
@@ -49,13 +50,18 @@ std::string json_of(const EnclosedCounts& enclosed) {
                      enclosed.wires, enclosed.points, json_of(enclosed.vertex), json_of(enclosed.face));
 }
 
-std::string json_of(const Clearance& clearance) {
+/// A hexfloat is a string, and a decimal a number.
+std::string json_of(double value, io::Numbers form) {
+  const std::string text = io::number_text(value, form);
+  return form == io::Numbers::hexfloats ? "\"" + text + "\"" : text;
+}
+
+std::string json_of(const Clearance& clearance, io::Numbers form) {
   if (clearance.distance == std::numeric_limits<double>::infinity()) return "{\"distance\":null}";
-  std::string text = fmt::format("{{\"distance\":\"{}\"", io::hexfloat(clearance.distance));
+  std::string text = "{\"distance\":" + json_of(clearance.distance, form);
   if (clearance.pairs == 0) return text + "}";
-  return text + fmt::format(",\"toi\":\"{}\",\"toi_upper\":\"{}\",\"pairs\":{},\"pair\":{}}}",
-                            io::hexfloat(clearance.toi), io::hexfloat(clearance.toi_upper), clearance.pairs,
-                            json_of(clearance.pair));
+  return text + fmt::format(",\"toi\":{},\"toi_upper\":{},\"pairs\":{},\"pair\":{}}}", json_of(clearance.toi, form),
+                            json_of(clearance.toi_upper, form), clearance.pairs, json_of(clearance.pair));
 }
 
 template <class Item>
@@ -138,26 +144,39 @@ double time_from(const JsonNode& node) {
 
 std::string json_string(std::string_view text) { return nlohmann::json(text).dump(); }
 
-std::string result_json(const Result& result) {
-  std::string text = result.step ? fmt::format("{{\"from\":{},\"to\":{}", result.frame, result.frame + 1)
-                                 : fmt::format("{{\"frame\":{}", result.frame);
+namespace {
+
+/// @param text  the object's first members, which say what the result is about
+std::string members_json(std::string text, const Result& result, io::Numbers form) {
   text += fmt::format(",\"free\":{}", result.free());
   if (result.enclosed.all() > 0) text += ",\"enclosed_parts\":" + json_of(result.enclosed);
   if (result.flat > 0) text += fmt::format(",\"flat_faces\":{}", result.flat);
   if (result.in_open > 0) text += fmt::format(",\"parts_in_open_surfaces\":{}", result.in_open);
   if (result.turning > 0) text += fmt::format(",\"turning_faces\":{}", result.turning);
-  if (result.clearance) text += ",\"clearance\":" + json_of(*result.clearance);
+  if (result.clearance) text += ",\"clearance\":" + json_of(*result.clearance, form);
   if (result.free()) return text + "}";
   if (result.step) {
-    const auto time = [&](double value) {
-      return result.first.empty() ? std::string("null") : fmt::format("\"{}\"", io::hexfloat(value));
-    };
+    const auto time = [&](double value) { return result.first.empty() ? std::string("null") : json_of(value, form); };
     text += fmt::format(",\"toi\":{},\"toi_upper\":{},\"first\":{},\"at_start\":{}", time(result.toi),
                         time(result.toi_upper), list_json(result.first), list_json(result.at_start));
   }
   text += ",\"intersections\":" + list_json(result.intersections);
   if (result.coinciding > 0) text += fmt::format(",\"coinciding_vertices\":{}", result.coinciding);
   return text + "}";
+}
+
+}  // namespace
+
+std::string result_json(const Result& result) {
+  return members_json(result.step ? fmt::format("{{\"from\":{},\"to\":{}", result.frame, result.frame + 1)
+                                  : fmt::format("{{\"frame\":{}", result.frame),
+                      result, io::Numbers::hexfloats);
+}
+
+std::string result_line(const Result& result, std::string_view from, std::string_view to) {
+  return members_json(
+      result.step ? "{\"from\":" + json_string(from) + ",\"to\":" + json_string(to) : "{\"frame\":" + json_string(from),
+      result, io::Numbers::decimals);
 }
 
 namespace {

@@ -19,6 +19,11 @@ std::string json_string(std::string_view text);
 /// One line, without its end.
 std::string result_json(const Result& result);
 
+/// The same for readers of tables: with the frames' names, and doubles as the shortest decimals that read back as them.
+/// @param from  the label of the result's frame, or of the first frame of its step
+/// @param to    the label of the step's last frame; not used for a frame at rest
+std::string result_line(const Result& result, std::string_view from, std::string_view to);
+
 /// @throws Error  for anything that result_json does not write: it names the key
 Result result_from(const json::JsonNode& node);
 

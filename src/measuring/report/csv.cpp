@@ -71,7 +71,7 @@ std::string csv_rows(const Size& size, const std::vector<SetResults>& sets) {
     const Separation& separation = set.set.separation;
     std::string end;
     if (separation.distance > 0) {
-      end = fmt::format(",{},{}", io::hexfloat(separation.distance), name_of(separation.metric));
+      end = fmt::format(",{},{}", separation.distance, name_of(separation.metric));
     }
     for (const Result& result : set.results) {
       text +=

@@ -77,6 +77,19 @@ void add_decimals_option(CLI::App& subcommand, io::Decimals& decimals) {
       "A decimal in a file of queries or claims that is no double stands for the nearest double, not for itself");
 }
 
+void add_numbers_option(CLI::App& subcommand, io::Numbers& numbers) {
+  subcommand
+      .add_option_function<std::string>(
+          "--numbers",
+          [&numbers](const std::string& name) {
+            numbers = name == "hex" ? io::Numbers::hexfloats : io::Numbers::decimals;
+          },
+          "How doubles are written in CSV: decimal, the shortest that reads back as the same double (default), or hex, "
+          "C hexfloats")
+      ->type_name("FORM")
+      ->check(CLI::IsMember({"decimal", "hex"}));
+}
+
 void add_query_options(CLI::App& subcommand, QueryOptions& options) {
   add_kind_option(subcommand, options.kind);
   add_decimals_option(subcommand, options.decimals);

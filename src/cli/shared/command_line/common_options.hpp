@@ -14,6 +14,7 @@
 
 #include "cli/shared/command_line/command.hpp"
 #include "cli/shared/command_line/separation_options.hpp"
+#include "io/answers/answer_writer.hpp"
 #include "io/queries/query_parser.hpp"
 
 namespace touchstone::cli {
@@ -32,6 +33,7 @@ struct QueryOptions {
 
 void add_kind_option(CLI::App& subcommand, std::optional<Kind>& kind);
 void add_decimals_option(CLI::App& subcommand, io::Decimals& decimals);
+void add_numbers_option(CLI::App& subcommand, io::Numbers& numbers);
 void add_query_options(CLI::App& subcommand, QueryOptions& options);
 void add_seed_option(CLI::App& subcommand, std::uint64_t& seed);
 

@@ -74,7 +74,7 @@ void AnswerReader::read_toi(std::string_view field, AnswerRow& row) const {
            "; of a contact it must be a finite number such as 0x1.8p-2 or 0.375, or empty");
   }
   if (std::isinf(*row.toi)) refuse("toi is " + in_quotes(field) + "; it " + std::string(fault_of_double(field)));
-  if (is_plainly_a_double(field)) return;
+  if (has_doubles_ || is_plainly_a_double(field)) return;
   // Long texts are refused before they are parsed. A large exponent makes a number long, too.
   constexpr std::size_t kMost = numbers::kMostWrittenDigits;
   if (field.size() > kMost) {
@@ -121,6 +121,7 @@ void AnswerReader::read_header(const ClaimColumns& columns) {
   ClaimColumns named;
   for (const std::string_view text : fields_) {
     const auto column = claim_column(text);
+    if (text == kUpperTime) has_doubles_ = true;
     if (!column && !is_description(text)) unread_columns_.emplace_back(text);
     if (column && std::count(named.begin(), named.end(), *column) != 0) {
       refuse("two columns are a " + in_quotes(claim_column_name(*column)) + "; --columns says which one is read");

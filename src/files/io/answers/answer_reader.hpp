@@ -25,7 +25,8 @@ struct AnswerRow {
   bool contact = false;
   std::optional<double> toi;  ///< finite; only with contact
   /// The field's text, if its number may lie beside its nearest double `toi`; else empty. Its exact value has at most
-  /// numbers::kMostWrittenDigits digits. Valid until the next row.
+  /// numbers::kMostWrittenDigits digits. Valid until the next row. Empty in a table with a column `toi_upper`: there
+  /// both are neighbouring doubles, and decimals are spellings of them.
   std::string_view toi_as_written;
   std::optional<Separation> separation;  ///< what the claim is about; nothing when the file has no such column
   std::uint64_t row = 0;                 ///< the line where it starts, counted from 1
@@ -82,6 +83,7 @@ class AnswerReader {
 
   std::vector<std::string> unquoted_;     ///< what quoted fields of the current record stand for
   std::vector<std::string_view> fields_;  ///< of the current record
+  bool has_doubles_ = false;              ///< whether a toi that is no double stands for the nearest one
   bool has_row_ = false;                  ///< whether fields_ is a row that next() has not told yet
   std::size_t column_count_ = 0;
   std::array<std::size_t, kClaimColumns> index_{};  ///< position of each column that is read; kAbsent: not there

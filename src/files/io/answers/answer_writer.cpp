@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "io/answers/answer_writer.hpp"
 
-#include <array>
-#include <charconv>
 #include <nlohmann/json.hpp>
 
 #include "io/characters.hpp"
 #include "io/times.hpp"
+#include "numbers/doubles/decimal_text.hpp"
 
 namespace touchstone::io {
 
@@ -28,20 +27,21 @@ std::string csv_field(std::string_view text) {
   return field + '"';
 }
 
-namespace {
-
-std::string number(double value, Numbers numbers) {
-  if (numbers == Numbers::hexfloats) return hexfloat(value);
-  std::array<char, 40> text;
-  return std::string(text.data(), std::to_chars(text.data(), text.data() + text.size(), value).ptr);
+std::string number_text(double value, Numbers form) {
+  return form == Numbers::hexfloats ? hexfloat(value) : numbers::decimal_text(value);
 }
+
+namespace {
 
 /// A row without its line end.
 void append_columns(std::string& out, std::string_view file_field, std::uint64_t query, const Answer& answer,
                     Numbers numbers) {
   out.append(file_field).append(",").append(std::to_string(query));
   if (answer.contact) {
-    out.append(",1,").append(number(answer.toi, numbers)).append(",").append(number(answer.toi_upper, numbers));
+    out.append(",1,")
+        .append(number_text(answer.toi, numbers))
+        .append(",")
+        .append(number_text(answer.toi_upper, numbers));
     out.append(",").append(name_of(answer.nature));
     out.append(",").append(name_of(answer.feature_a));
     out.append(",").append(name_of(answer.feature_b));
@@ -65,7 +65,7 @@ void append_answer(std::string& out, std::string_view file_field, std::uint64_t 
   out.append(!answer.contact ? "," : answer.starts_within ? ",1" : ",0");
   out.append(",").append(name_of(answer.trend));
   out.append(",")
-      .append(number(separation.distance, numbers))
+      .append(number_text(separation.distance, numbers))
       .append(",")
       .append(name_of(separation.metric))
       .append("\n");
@@ -77,15 +77,15 @@ std::string json_string(std::string_view text) {
 }
 
 void append_answer_line(std::string& out, std::string_view file_string, std::uint64_t query, const Answer& answer,
-                        const Separation* separation) {
+                        const Separation* separation, std::string_view more) {
   const auto add = [&out, &answer](const char* key, const std::string& value) {
     out.append(",\"").append(key).append("\":").append(answer.contact ? value : "null");
   };
   const auto quoted = [](std::string_view name) { return "\"" + std::string(name) + "\""; };
   out.append("{\"file\":").append(file_string).append(",\"query\":").append(std::to_string(query));
   out.append(",\"contact\":").append(answer.contact ? "true" : "false");
-  add("toi", number(answer.toi, Numbers::decimals));
-  add("toi_upper", number(answer.toi_upper, Numbers::decimals));
+  add("toi", number_text(answer.toi, Numbers::decimals));
+  add("toi_upper", number_text(answer.toi_upper, Numbers::decimals));
   add("nature", quoted(name_of(answer.nature)));
   add("feature_a", quoted(name_of(answer.feature_a)));
   add("feature_b", quoted(name_of(answer.feature_b)));
@@ -93,10 +93,10 @@ void append_answer_line(std::string& out, std::string_view file_string, std::uin
   if (separation != nullptr) {
     add("starts_within", answer.starts_within ? "true" : "false");
     add("trend", answer.trend == Trend::none ? "null" : quoted(name_of(answer.trend)));
-    out.append(",\"separation\":").append(number(separation->distance, Numbers::decimals));
+    out.append(",\"separation\":").append(number_text(separation->distance, Numbers::decimals));
     out.append(",\"metric\":").append(quoted(name_of(separation->metric)));
   }
-  out.append("}\n");
+  out.append(more).append("}\n");
 }
 
 }  // namespace touchstone::io

@@ -28,25 +28,29 @@ bool begins_formula(std::string_view text) noexcept;
 /// them, also in quotes.
 std::string csv_field(std::string_view text);
 
-/// How doubles are written. Each reads back as the same double.
+/// How doubles are written. Each reads back as the same double; a decimal is the shortest one that does.
 enum class Numbers : std::uint8_t { hexfloats, decimals };
+
+/// A finite double in that form.
+std::string number_text(double value, Numbers form);
 
 /// Appends one row. Without contact every column between `contact` and `level` is empty.
 /// @param file_field  the file's name, already through csv_field
 void append_answer(std::string& out, std::string_view file_field, std::uint64_t query, const Answer& answer,
-                   Numbers numbers = Numbers::hexfloats);
+                   Numbers numbers);
 
 /// The same with the columns of kSeparationAnswerHeader. Without contact `starts_within` and `trend` are empty; without
 /// a trend, as for separation 0, `trend` is.
 void append_answer(std::string& out, std::string_view file_field, std::uint64_t query, const Answer& answer,
-                   const Separation& separation, Numbers numbers = Numbers::hexfloats);
+                   const Separation& separation, Numbers numbers);
 
 /// The name of a file as a JSON string, with quotes; bytes that are no UTF-8 become U+FFFD.
 std::string json_string(std::string_view text);
 
 /// Appends one line of JSON with the names of the columns as keys, decimals, and null for what is empty in a row.
 /// @param separation  null: the query was about touching, and the line has no columns of a separation
+/// @param more        further members at the end, a comma before each
 void append_answer_line(std::string& out, std::string_view file_string, std::uint64_t query, const Answer& answer,
-                        const Separation* separation);
+                        const Separation* separation, std::string_view more = {});
 
 }  // namespace touchstone::io

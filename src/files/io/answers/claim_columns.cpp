@@ -22,8 +22,8 @@ constexpr std::array<std::array<std::string_view, 9>, kClaimColumns> kColumnName
 }};
 
 /// The other columns of answers.csv.
-constexpr std::array<std::string_view, 7> kDescriptions = {"toi_upper", "nature",        "feature_a", "feature_b",
-                                                           "level",     "starts_within", "trend"};
+constexpr std::array<std::string_view, 7> kDescriptions = {kUpperTime, "nature",        "feature_a", "feature_b",
+                                                           "level",    "starts_within", "trend"};
 
 }  // namespace
 
