@@ -92,7 +92,8 @@ def test_the_answers_of_the_program(tmp_path):
     for kind in queries.KINDS:
         for path in sorted((QUERY_FILES / kind).glob("curved_*.csv")):
             out = tmp_path / "answers.csv"
-            subprocess.run([program, "solve", "--kind", kind, "--out", out, path], check=True, capture_output=True)
+            subprocess.run([program, "solve", "--numbers", "hex", "--kind", kind, "--out", out, path], check=True,
+                           capture_output=True)
             lines = list(csv.DictReader(out.open()))
             found = rows_of(path)
             assert len(found) == len(lines)

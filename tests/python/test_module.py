@@ -65,6 +65,22 @@ def test_the_types_are_right():
     assert status == 0, words + errors
 
 
+def test_types_tell_one_answer_from_many(tmp_path):
+    mypy = pytest.importorskip("mypy.api", reason="mypy is not installed")
+    (tmp_path / "user.py").write_text(
+        "import numpy as np\nimport touchstone\n"
+        "point = [[0.0, 0.0, 1.0], [0.0, 0.0, 0.0]]\n"
+        "reveal_type(touchstone.solve('point-point', point, point))\n"
+        "reveal_type(touchstone.solve('point-point', [point], [point], threads=2))\n"
+        "reveal_type(touchstone.solve('point-point', np.array(point), np.array(point)))\n")
+    files = [str(Path(ts.__file__).parent), str(tmp_path / "user.py")]
+    words, errors, status = mypy.run(["--cache-dir", os.devnull, *files])
+    assert status == 0, words + errors
+    assert re.findall(r'Revealed type is "(.*)"', words) == [
+        "touchstone._core.Answer", "touchstone._core.Answers",
+        "Union[touchstone._core.Answers, touchstone._core.Answer]"]
+
+
 def test_names_are_those_of_the_library():
     header = (Path(__file__).parents[2] / "include/touchstone/answer.hpp").read_text()
     for enumeration in (ts.Nature, ts.Feature, ts.Level, ts.Trend):
@@ -106,7 +122,8 @@ def test_the_answers_of_the_program(tmp_path):
             if path.name.startswith("curved_"):
                 continue  # test_curved.py has these
             out = tmp_path / "answers.csv"
-            subprocess.run([program, "solve", "--kind", kind, "--out", out, path], check=True, capture_output=True)
+            subprocess.run([program, "solve", "--numbers", "hex", "--kind", kind, "--out", out, path], check=True,
+                           capture_output=True)
             header, *lines = out.read_bytes().decode().splitlines(keepends=True)
             assert header == "file,query,contact,toi,toi_upper,nature,feature_a,feature_b,level\n"
             rows = rows_of(path, kind)

@@ -311,6 +311,26 @@ def test_masked_elements_are_refused():
     assert queries.same(ts.solve("edge-edge", mapped, end), wanted)
 
 
+class Exported:
+    """An array that has the methods of DLPack and no others."""
+
+    def __init__(self, array, device=1):
+        self.array, self.device = array, device
+
+    def __dlpack__(self, stream=None):
+        return self.array.__dlpack__()
+
+    def __dlpack_device__(self):
+        return (self.device, 0)
+
+
+def test_arrays_of_other_packages_are_read():
+    start, end = queries.both("edge-edge", 5)
+    assert queries.same(ts.solve("edge-edge", Exported(start), Exported(end)), ts.solve("edge-edge", start, end))
+    with pytest.raises(TypeError, match=r"end is on another device \(number 2 of DLPack\); it must be on the CPU"):
+        ts.solve("edge-edge", start, Exported(end, 2))
+
+
 def test_gradients():
     face = [[0, 0, 0], [4, 0, 0], [0, 4, 0]]
     fall = ([[1, 1, 3]] + face, [[1, 1, -1]] + face)

@@ -18,7 +18,15 @@ def _masked(values):
 
 
 def unmasked(values, name):
-    """np.asarray(values), which forgets the masks of masked arrays. Raises ValueError for a masked element."""
+    """np.asarray(values), which forgets the masks of masked arrays, or the array that has __dlpack__ alone.
+
+    Raises ValueError for a masked element, and TypeError for an array on another device.
+    """
+    if hasattr(values, "__dlpack__") and not hasattr(values, "__array__"):
+        device = values.__dlpack_device__()[0]
+        if device != 1:
+            raise TypeError(f"{name} is on another device (number {int(device)} of DLPack); it must be on the CPU")
+        return np.from_dlpack(values)
     place = _masked(values)
     if place is not None:
         at = "[" + ", ".join(map(str, place)) + "]" if place else ""

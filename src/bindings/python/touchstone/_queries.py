@@ -1,7 +1,7 @@
 """Questions about two elements. SPDX-License-Identifier: MIT"""
 from __future__ import annotations
 
-from typing import List, Literal, Optional, Tuple, Union
+from typing import List, Literal, Optional, Sequence, Tuple, Union, overload
 
 from numpy.typing import ArrayLike, NDArray
 
@@ -14,8 +14,20 @@ Metric = Literal["euclidean", "max"]
 Method = Literal["fast", "exact", "oracle", "fast-cgal"]
 Wanted = Literal["all", "features", "time", "contact"]
 Times = List[Tuple[ExactTime, ExactTime]]
+_Corners = Sequence[Sequence[float]]
 
 
+@overload
+def solve(kind: Kind, start: _Corners, end: _Corners, t_max: float = ..., separation: ArrayLike = ...,
+          metric: Metric = ..., threads: int = ..., method: Method = ..., wanted: Wanted = ...) -> Answer: ...
+@overload
+def solve(kind: Kind, start: Sequence[_Corners], end: Sequence[_Corners], t_max: float = ...,
+          separation: ArrayLike = ..., metric: Metric = ..., threads: int = ..., method: Method = ...,
+          wanted: Wanted = ...) -> Answers: ...
+@overload
+def solve(kind: Kind, start: ArrayLike, end: ArrayLike, t_max: float = ..., separation: ArrayLike = ...,
+          metric: Metric = ..., threads: int = ..., method: Method = ...,
+          wanted: Wanted = ...) -> Union[Answers, Answer]: ...
 @hinting
 def solve(kind: Kind, start: ArrayLike, end: ArrayLike, t_max: float = 1.0, separation: ArrayLike = 0.0,
           metric: Metric = "euclidean", threads: int = 1, method: Method = "fast",
