@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <chrono>
 #include <filesystem>
+#include <random>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -248,4 +249,27 @@ TEST_CASE("Ctrl-C keeps what is finished") {
   CHECK_FALSE(sample.has("r.json"));
   CHECK(sample.report({"--resume"}).status == 1);
   CHECK(sample.folder.read("r.json") == sample.whole);
+}
+
+TEST_CASE("Ctrl-C ends a step that takes long") {
+  const TemporaryFolder folder;
+  constexpr int kFaces = 4000;  // in each other's way: 4 million intersections
+  std::mt19937_64 random(1);
+  std::uniform_real_distribution<double> coordinate(-1, 1);
+  std::string soup;
+  for (int i = 0; i < 3 * kFaces; ++i) {
+    soup += "v";
+    for (int k = 0; k < 3; ++k) soup += " " + std::to_string(coordinate(random));
+    soup += "\n";
+  }
+  for (int i = 0; i < kFaces; ++i) {
+    soup += "f";
+    for (int k = 1; k <= 3; ++k) soup += " " + std::to_string(3 * i + k);
+    soup += "\n";
+  }
+  RunOptions options;
+  options.interrupt_after = 0.5;
+  const Run run = mesh({"--check", "--threads", "1", folder.write("soup.obj", soup)}, options);
+  CHECK(run.status == 128 + 2);
+  CHECK(run.out == "");
 }

@@ -1,6 +1,7 @@
 // The progress line of a long command is drawn on a terminal only, and is erased at the end.
 // SPDX-License-Identifier: MIT
 #include "cli/shared/progress/progress_line.hpp"
+#include "cli/shared/progress/waiting_line.hpp"
 
 #include <fcntl.h>
 #include <unistd.h>
@@ -91,6 +92,27 @@ TEST_CASE("a progress line is drawn on a terminal, not too often, and wiped at t
   }
   CHECK(waiting_on(terminal.ours) == "\r\033[K 42 %  second\r\033[K");
   CHECK(calls == 0);
+}
+
+TEST_CASE("a line tells for how long a command waits, and is wiped when it does no longer") {
+  const Terminal terminal;
+  if (terminal.theirs < 0) {
+    WARN("this machine gives no pseudo-terminal; nothing is checked");
+    return;
+  }
+  {
+    const StandardErrorTo standard_error(terminal.theirs);
+    WaitingLine line;
+    line.begin("short");
+    line.end();
+    line.begin("1 of 2: long");
+    std::this_thread::sleep_for(std::chrono::milliseconds(1700));
+    line.end();
+  }
+  const std::string drawn = waiting_on(terminal.ours);
+  CHECK(drawn.find("short") == std::string::npos);
+  CHECK(drawn.starts_with("\r\033[K1 of 2: long, 1 s"));
+  CHECK(drawn.ends_with("\r\033[K"));
 }
 
 TEST_CASE("a progress line is not drawn into a file") {

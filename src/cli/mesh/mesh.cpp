@@ -19,6 +19,7 @@
 #include "cli/shared/command_line/common_options.hpp"
 #include "cli/shared/progress/interrupt.hpp"
 #include "cli/shared/progress/pipeline.hpp"
+#include "cli/shared/progress/waiting_line.hpp"
 #include "cli/shared/proofs/motion_proofs.hpp"
 #include "cli/shared/words.hpp"
 #include "frames/content.hpp"
@@ -201,7 +202,7 @@ class Checker {
         separation_(heading.separation),
         parts_(heading.parts),
         range_(sequence::range_of(heading)),
-        how_{threads, heading.clearance},
+        how_{threads, heading.clearance, &interruption()},
         proofs_(proofs),
         animation_(animation) {}
 
@@ -247,14 +248,27 @@ class Checker {
         if (earlier.digests[i] != next.digests[i]) refuse_changed(names_[next.result.frame + i]);
       }
       next.result = earlier.result;
-    } else if (next.result.step) {
-      next.result = sequence::check_step(mesh_, before, after, next.result.frame, how_);
     } else {
-      next.result = sequence::check_frame(mesh_, before, next.result.frame, how_);
+      ask(next.result, before, after);
     }
     ++results_;
     if (animation_ != nullptr) animation_->add_result(next.result, before, after);
     output_.add(std::move(next), before, after, known);
+  }
+
+  /// @param result  names its frame, and whether it is about a step
+  void ask(sequence::Result& result, const Frame& before, const Frame& after) {
+    const std::size_t index = result.frame;
+    std::string what = io::printable(names_[index].label());
+    if (result.step) what += " -> " + io::printable(names_[index + 1].label());
+    waiting_.begin(fmt::format("{} of {}: {}", results_ + 1, sequence::result_count(question_, range_), what));
+    try {
+      result = result.step ? sequence::check_step(mesh_, before, after, index, how_)
+                           : sequence::check_frame(mesh_, before, index, how_);
+    } catch (const Stopped&) {
+      throw Interrupted();
+    }
+    waiting_.end();
   }
 
   [[noreturn]] void refuse_changed(const FrameName& name) const {
@@ -277,6 +291,7 @@ class Checker {
   Mesh mesh_;
   std::shared_ptr<const Frame> before_;
   std::size_t results_ = 0;
+  WaitingLine waiting_;
 };
 
 std::string question_for_person(Question question, const Separation& separation) {

@@ -236,7 +236,7 @@ Result check_frame(const Mesh& mesh, const Frame& frame, std::size_t index, cons
   Result result;
   result.frame = index;
   ElementNames names(mesh, *frame.topology);
-  const MeshOptions options{how.threads};
+  const MeshOptions options{how.threads, how.stop};
   const std::vector<Intersection> found = intersections(mesh, positions_of(frame), options);
   result.intersections = named(found, names);
   const Insides inside = insides(mesh, positions_of(frame), options, found, ClosedParts::unasked);
@@ -250,7 +250,7 @@ Result check_frame(const Mesh& mesh, const Frame& frame, std::size_t index, cons
 
 Result check_step(const Mesh& mesh, const Frame& before, const Frame& after, std::size_t index,
                   const CheckOptions& how) {
-  const StepOptions options{{.threads = how.threads}};
+  const StepOptions options{{how.threads, how.stop}};
   const FirstContact contact = first_contact(mesh, positions_of(before), positions_of(after), {options});
   Result result;
   result.step = true;

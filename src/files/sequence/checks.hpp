@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <atomic>
 #include <string>
 
 #include <touchstone/mesh.hpp>
@@ -22,7 +23,8 @@ Mesh mesh_of(const frames::Topology& topology, const Separation& separation, con
 /// How frames and steps are checked.
 struct CheckOptions {
   int threads = 1;
-  bool clearance = false;  ///< whether the least distance is asked for, too
+  bool clearance = false;                   ///< whether the least distance is asked for, too
+  const std::atomic<bool>* stop = nullptr;  ///< as MeshOptions has it
 };
 
 /// @throws FileError  for a coordinate that is not finite, by the vertex's number in the file

@@ -13,8 +13,13 @@ namespace touchstone::cli {
 namespace {
 
 volatile std::sig_atomic_t noted_signal = 0;
+std::atomic<bool> has_signal = false;
+static_assert(std::atomic<bool>::is_always_lock_free);  // so that a signal handler may set it
 
-void note(int signal) { noted_signal = signal; }
+void note(int signal) {
+  noted_signal = signal;
+  has_signal = true;
+}
 
 }  // namespace
 
@@ -41,7 +46,9 @@ void occupy_closed_descriptors() {
   }
 }
 
-bool interrupted() noexcept { return noted_signal != 0; }
+bool interrupted() noexcept { return has_signal; }
+
+const std::atomic<bool>& interruption() noexcept { return has_signal; }
 
 void throw_if_interrupted() {
   if (interrupted()) throw Interrupted();

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <atomic>
 #include <exception>
 
 namespace touchstone::cli {
@@ -20,6 +21,9 @@ void occupy_closed_descriptors();
 
 /// Whether one of these signals has come.
 bool interrupted() noexcept;
+
+/// The same as a flag, for calls that take one to end early.
+const std::atomic<bool>& interruption() noexcept;
 
 /// @throws Interrupted
 void throw_if_interrupted();

@@ -23,7 +23,8 @@ class ProgressLine {
   /// Wipes the line until it is drawn again, so that other lines may follow.
   void wipe();
 
-  double seconds() const noexcept;  ///< since construction
+  double seconds() const noexcept;                    ///< since construction
+  bool visible() const noexcept { return visible_; }  ///< whether standard error is a terminal
 
  private:
   using Clock = std::chrono::steady_clock;
