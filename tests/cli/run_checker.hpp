@@ -9,12 +9,15 @@
 
 namespace touchstone::tests {
 
-inline Run run_checker(const std::string& proofs, const std::vector<std::string>& files) {
-  std::vector<std::string> arguments = {proofs};
-  arguments.insert(arguments.end(), files.begin(), files.end());
+/// @param words  the options, and the file of proofs
+inline Run run_checker(std::vector<std::string> words, const std::vector<std::string>& files) {
+  words.insert(words.end(), files.begin(), files.end());
   RunOptions options;
   options.program = TOUCHSTONE_CHECKER;
-  return run_program(arguments, options);
+  return run_program(words, options);
+}
+inline Run run_checker(const std::string& proofs, const std::vector<std::string>& files) {
+  return run_checker(std::vector<std::string>{proofs}, files);
 }
 
 }  // namespace touchstone::tests

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: MIT
 """Checks the proofs of `touchstone prove`. It is written from docs/proofs.md alone and uses no code of the library.
 
-    check_proofs.py PROOFS FILE...
+    check_proofs.py [--allow-empty] PROOFS FILE...
 
 The files are query files and motion files. The exit status is 0 when every proof holds, 1 when some proof does not
 hold, and 2 for a file that cannot be read.
@@ -14,6 +14,7 @@ denominator, and the numbers of a proof by a power of two.
 
 import collections
 import functools
+import hashlib
 import itertools
 import math
 import re
@@ -66,11 +67,13 @@ class Lines:
         self.number = 0
         self.has_end = False
         self.line = b""
+        self.sha256 = hashlib.sha256()
         self.advance()
 
     def advance(self):
         for line in iter(lambda: self.stream.readline(MAX_LINE_BYTES + 3), b""):
             self.number += 1
+            self.sha256.update(line)
             self.has_end = line.endswith(b"\n")
             line = re.sub(rb"\r?\n?\Z", b"", line, count=1)
             if self.number == 1 and line.startswith(b"\xef\xbb\xbf"):
@@ -82,6 +85,12 @@ class Lines:
                 self.line = line
                 return
         self.line = None
+
+    def digest(self):
+        """The digest of the whole file, of which the rest is read."""
+        while self.line is not None:
+            self.advance()
+        return self.sha256.hexdigest().encode()
 
     def columns(self):
         """The columns of the current row; none at the end of the file."""
@@ -814,7 +823,8 @@ def check_query(query, number, lines):
 
 
 def read_header(lines, name):
-    """The metric or None, the separation as a word and as a number, and the kind of the queries of the next file."""
+    """The metric or None, the separation as a word and as a number, the kind of the queries and the digest of the next
+    file."""
     metric, word, separation = None, b"0", (0, 0)
     words = lines.words()
     if words[:1] == [b"separation"]:
@@ -829,7 +839,7 @@ def read_header(lines, name):
     holds = words[:1] == [b"file"] and len(words) > 3 and words[1] in kinds and DIGEST.fullmatch(words[2])
     require(holds, f"{lines.place()}: expected the proofs of {name}: file KIND DIGEST NAME")
     lines.advance()
-    return metric, word, separation, words[1]
+    return metric, word, separation, words[1], words[2]
 
 
 def check_queries(queries, lines, name):
@@ -843,7 +853,7 @@ def check_queries(queries, lines, name):
     return number + 1, contacts
 
 
-def check(proofs, proofs_name, files, report=lambda header: None):
+def check(proofs, proofs_name, files, report=lambda header: None, allow_empty=False):
     """Checks the proofs of a binary stream. `files` yields pairs of stream and name.
 
     Returns the numbers of queries, of contacts and of motions. Raises Rejected or BadInput.
@@ -854,7 +864,7 @@ def check(proofs, proofs_name, files, report=lambda header: None):
     lines.advance()
     queries = contacts = motions = 0
     for stream, name in files:
-        metric, separation_word, separation, kind = read_header(lines, name)
+        metric, separation_word, separation, kind, digest = read_header(lines, name)
         rows = Lines(stream, name)
         counts = []
         with_separation = f" with separation {metric.decode()} {separation_word.decode()}" if metric else ""
@@ -881,6 +891,7 @@ def check(proofs, proofs_name, files, report=lambda header: None):
             counts.append(check_queries(rest, lines, name))
             if counts == [(0, 0)]:
                 raise BadInput(f"{name}: there is no query")
+        require(digest in (b"-", rows.digest()), f"{name}: the proofs name another digest, {digest.decode()}")
         count = sum(count for count, _ in counts)
         report(f"{name}: {counted(count, f'{kind.decode()} query', f'{kind.decode()} queries')}{about}")
         queries += sum(count for count, _ in counts)
@@ -889,6 +900,7 @@ def check(proofs, proofs_name, files, report=lambda header: None):
     require(holds, f"{lines.place()}: expected \"end {queries} {contacts}\"")
     lines.advance()
     require(lines.line is None, f"{lines.place()}: something follows the end")
+    require(queries > 0 or allow_empty, f"no query was checked: {NONE_NEAR}; --allow-empty accepts this")
     return queries, contacts, motions
 
 
@@ -909,19 +921,22 @@ def verdict(queries, contacts, motions):
 
 
 def main(arguments):
+    allow_empty = arguments[:1] == ["--allow-empty"]
+    arguments = arguments[allow_empty:]
     if len(arguments) < 2:
-        print("usage: check_proofs.py PROOFS FILE...", file=sys.stderr)
+        print("usage: check_proofs.py [--allow-empty] PROOFS FILE...", file=sys.stderr)
         return 2
+    reports = []
     try:
         with open(arguments[0], "rb") as proofs:
-            counts = check(proofs, arguments[0], opened(arguments[1:]), print)
+            counts = check(proofs, arguments[0], opened(arguments[1:]), reports.append, allow_empty)
     except Rejected as reason:
         print(f"rejected: {reason}", file=sys.stderr)
         return 1
     except (BadInput, OSError) as reason:
         print(f"check_proofs.py: {reason}", file=sys.stderr)
         return 2
-    print(verdict(*counts))
+    print("\n".join(reports + [verdict(*counts)]))
     return 0
 
 

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "io/sha256.hpp"
 #include "proofs/run_checker.hpp"
 #include "proofs/small_proofs.hpp"
 #include "support/catch.hpp"
@@ -18,9 +19,8 @@ TEST_CASE("the lines of a file of proofs") {
   const std::string proof = "0 none\nd 1 0 0\n", end = "end 1 0\n";
   const std::string digest(64, 'a');
   CHECK(check_texts(first + file + proof + end, {kApart}).status == 0);
-  CHECK(check_texts(
-            "# x\n\n \t\n\t# y\n" + first + " file  point-point " + digest + "  b \r\n0 none \n\nd  1 0 0\r\nend 1 0",
-            {kApart})
+  CHECK(check_texts("# x\n\n \t\n\t# y\n" + first + " file  point-point -  b \r\n0 none \n\nd  1 0 0\r\nend 1 0",
+                    {kApart})
             .status == 0);
   refuse_with(2, "touchstone-proofs 1", "", {kApart});
   refuse_with(2, "touchstone-proofs 1", "touchstone-proofs 2\n" + file + proof + end, {kApart});
@@ -46,6 +46,29 @@ TEST_CASE("the lines of a file of proofs") {
     refuse_with(2, "file1: there is nothing to check", first + file + proof + file + "end 1 0\n", {kApart, nothing});
   }
   refuse_with(2, "the file has no query", first + file + "end 0 0\n", {"touchstone-curved,1\n"});
+}
+
+TEST_CASE("proofs hold for the file that they name, and nothing is printed before all hold") {
+  const auto proofs = [](const std::string& digest) {
+    return "touchstone-proofs 1\nfile point-point " + digest + " a\n0 none\nd 1 0 0\nend 1 0\n";
+  };
+  // Of all sizes around that of a block, by another reader.
+  for (std::size_t size = 0; size < 140; ++size) {
+    const std::string query = kApart + "#" + std::string(size, 'x');
+    const std::string digest = touchstone::io::sha256(query);
+    CHECK(check_texts(proofs(digest), {query}).status == 0);
+    refuse_with(1, "the proofs are about another file", proofs(digest), {query + "x"});
+  }
+  const std::string long_query = kApart + std::string("#").append(200000, 'y') + "\r\n \n";
+  CHECK(check_texts(proofs(touchstone::io::sha256(long_query)), {long_query}).status == 0);
+  // The reason is the other file, where its queries are others, too.
+  refuse_with(1, "the proofs are about another file", proofs(touchstone::io::sha256(kApart)), {kMeeting});
+  const std::string two =
+      "touchstone-proofs 1\nfile point-point - a\n0 none\nd 1 0 0\nfile point-point - b\n0 none\n"
+      "d 1 0 0\nend 2 0\n";
+  const CheckerRun run = check_texts(two, {kApart, kMeeting});
+  CHECK(run.status == 1);
+  CHECK(run.text.rfind("rejected: ", 0) == 0);
 }
 
 TEST_CASE("numbers of proofs") {
@@ -179,7 +202,7 @@ TEST_CASE("a person who asks for help gets it on standard output") {
   for (const char* option : {"--help", "-h"}) {
     const CheckerRun run = run_checker(std::string(option) + " 2>/dev/null #");
     CHECK(run.status == 0);
-    CHECK(run.text.rfind("usage: touchstone-check PROOFS FILE...\n", 0) == 0);
+    CHECK(run.text.rfind("usage: touchstone-check [--allow-empty] PROOFS FILE...\n", 0) == 0);
     CHECK(run.text.find("Exit status: 0 ") != std::string::npos);
   }
   const CheckerRun silent = run_checker("2>/dev/null #");  // a wrong call writes it to standard error

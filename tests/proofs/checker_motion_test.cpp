@@ -246,7 +246,11 @@ TEST_CASE("motions: the box of a body's vertex is around the quotients of Bernst
 }
 
 TEST_CASE("motions: the report") {
-  const CheckerRun run = check_texts(proofs_of("step 0\nstep 1\n", "0 0", "max 0x1p-2"), {crossing({"3", "2", "1"})});
+  const std::string proofs = proofs_of("step 0\nstep 1\n", "0 0", "max 0x1p-2"), motion = crossing({"3", "2", "1"});
+  const CheckerRun refused = check_texts(proofs, {motion}, "");
+  CHECK(refused.status == 1);
+  CHECK(refused.text.rfind("rejected: no query was checked: no two elements that move ", 0) == 0);
+  const CheckerRun run = check_texts(proofs, {motion});
   INFO(run.text);
   CHECK(run.status == 0);
   const std::string none_near = "no two elements that move against each other come near enough to need a proof";
@@ -270,7 +274,11 @@ TEST_CASE("motions: proofs of nothing are refused") {
   bad("point 0\npoint 1\nfixed 0\nfixed 1\n");
   accept(kFirst + "vertices 2\npoint 0\npoint 1\n" + frames, "step 0\n", "0 0");
   accept(kFirst + "vertices 2\npoint 0\npoint 1\nfixed 0\n" + frames, "step 0\n", "0 0");
-  // Many elements on one body are no work.
+  // Many fixed elements in one place, or on one body, are no work.
+  std::string crowd = kFirst + "vertices 20000\npoint 19999\n", rows;
+  for (int v = 0; v < 19999; ++v) crowd += "point " + std::to_string(v) + "\nfixed " + std::to_string(v) + "\n";
+  for (int v = 0; v < 19999; ++v) rows += "0 0 0\n";
+  accept(crowd + "frame\n" + rows + "1 0 0\nframe\n" + rows + "2 0 0\n", "step 0\n", "0 0");
   std::string head = kFirst + "vertices 20000\n";
   for (int v = 0; v < 20000; v += 2) {
     head += "edge " + std::to_string(v) + " " + std::to_string(v + 1) + "\n";

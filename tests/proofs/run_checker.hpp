@@ -40,9 +40,11 @@ inline CheckerRun run_checker(const std::string& words) {
 }
 
 /// Checks a text of proofs against texts of query files or motion files.
-inline CheckerRun check_texts(const std::string& proofs, const std::vector<std::string>& files) {
+/// @param options  the words before the names
+inline CheckerRun check_texts(const std::string& proofs, const std::vector<std::string>& files,
+                              const std::string& options = "--allow-empty") {
   const TemporaryFolder folder;
-  std::string words = folder.write("proofs.txt", proofs);
+  std::string words = options + " " + folder.write("proofs.txt", proofs);
   for (std::size_t i = 0; i < files.size(); ++i) {
     words += ' ';
     words += folder.write(std::string("file").append(std::to_string(i)), files[i]);

@@ -21,7 +21,10 @@ class Checker {
  public:
   explicit Checker(const std::string& proofs) : lines_(proofs) {}
 
-  void run(const std::vector<std::string>& files) {
+  /// Whether proofs of which none is needed are accepted.
+  enum class Empty : bool { refused, allowed };
+
+  void run(const std::vector<std::string>& files, Empty empty) {
     next();
     if (words_ != Words{"touchstone-proofs", "1"}) throw lines_.bad("the first line must be \"touchstone-proofs 1\"");
     next();
@@ -31,10 +34,15 @@ class Checker {
                      std::to_string(contacts_) + ", after the proofs of the last query file");
     }
     if (next()) throw expected("the end of the file, after the line \"end\"");
+    if (queries_ == 0 && empty == Empty::refused) {
+      throw Rejected("no query was checked: " + std::string(kNoneNear) +
+                     "; --allow-empty accepts this, and the digest of each file must show that it is the right one");
+    }
     const std::string answers =
         counted(contacts_, "contact", "contacts") + ", " + std::to_string(queries_ - contacts_) + " without contact";
-    std::printf("%s checked: %s%s\n", counted(queries_, "query", "queries").c_str(),
-                queries_ > 0 ? answers.c_str() : kNoneNear, motions_ > 0 ? kStarts : "");
+    report_ += counted(queries_, "query", "queries") + " checked: " + (queries_ > 0 ? answers : kNoneNear) +
+               (motions_ > 0 ? kStarts : "") + "\n";
+    std::fwrite(report_.data(), 1, report_.size(), stdout);
     if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0) throw BadInput("standard output cannot be written");
   }
 
@@ -51,7 +59,7 @@ class Checker {
 
   void check_file(const std::string& name) {
     read_separation();
-    const std::string_view digest = words_.size() < 4 ? "" : words_[2];
+    const std::string digest(words_.size() < 4 ? "" : words_[2]);
     const bool is_sha256 = digest.size() == 64 && digest.find_first_not_of("0123456789abcdef") == digest.npos;
     if ((!is_sha256 && digest != "-") || words_[0] != "file") {
       throw expected("\"file KIND DIGEST NAME\": the proofs for " + name);
@@ -66,7 +74,8 @@ class Checker {
     if (kind == kKinds.end()) {
       ++motions_;
       MotionFile motion(name);
-      const std::size_t steps = check_motion(motion, name);
+      std::size_t steps = 0;
+      check_bound(motion, name, digest, [&] { steps = check_motion(motion, name); });
       text = " in " + counted(steps, "step", "steps") + separation_.text + ": " + motion.contents();
       // Without a pair nothing is proved: the elements may be missing, or what the file says of them may leave none.
       if (queries_ == before && !motion.has_pair()) {
@@ -79,9 +88,11 @@ class Checker {
       QueryFile queries(name);
       if (queries.is_curved()) text = " with curved motion";
       query_.kind = *kind;
-      for (std::uint64_t i = 0; queries.next(query_); ++i) {
-        check_query(i, [&] { return name + ": query " + std::to_string(i); });
-      }
+      check_bound(queries, name, digest, [&] {
+        for (std::uint64_t i = 0; queries.next(query_); ++i) {
+          check_query(i, [&] { return name + ": query " + std::to_string(i); });
+        }
+      });
       if (queries_ == before) {
         throw BadInput(name + ": there is nothing to check: the file has no query, and at least one was expected");
       }
@@ -89,7 +100,22 @@ class Checker {
     }
     // The proofs say which kind the queries are, and which separation they have, so a person must see both.
     const std::string count = counted(queries_ - before, kind_name + " query", kind_name + " queries");
-    std::printf("%s: %s%s\n", printable(name).c_str(), count.c_str(), text.c_str());
+    report_ += printable(name) + ": " + count + text + "\n";
+  }
+
+  /// Checks the proofs about a file, and that it is the file that they name. They may not name one.
+  /// @param check  checks the proofs
+  template <class File, class Check>
+  void check_bound(File& file, const std::string& name, const std::string& digest, const Check& check) {
+    const auto differs = [&] { return digest != "-" && file.digest() != digest; };
+    const std::string another = name + ": the proofs are about another file: they name the digest " + digest;
+    try {
+      check();
+    } catch (const Rejected&) {
+      if (differs()) throw Rejected(another);  // which is the reason
+      throw;
+    }
+    if (differs()) throw Rejected(another);
   }
 
   /// The separation of the next file, which is zero without a line of its own.
@@ -359,6 +385,7 @@ class Checker {
   Lines lines_;
   Words words_;
   unsigned long long queries_ = 0, contacts_ = 0, motions_ = 0;
+  std::string report_;  ///< of files that hold; printed when all do
   Separation separation_;
 
   // Of the query. The numbers keep their memory from one query to the next.
@@ -378,19 +405,26 @@ class Checker {
 }  // namespace checker
 
 int main(int argc, char** argv) {
-  const bool help = argc > 1 && (std::string_view(argv[1]) == "--help" || std::string_view(argv[1]) == "-h");
-  if (help || argc < 3) {
+  std::vector<std::string> words(argv + 1, argv + argc);
+  const bool help = !words.empty() && (words[0] == "--help" || words[0] == "-h");
+  const bool allow_empty = !words.empty() && words[0] == "--allow-empty";
+  if (allow_empty) words.erase(words.begin());
+  if (help || words.size() < 2) {
     std::fputs(
-        "usage: touchstone-check PROOFS FILE...\n"
-        "Checks the proofs of `touchstone prove` against their query files or motion files, in their order.\n"
-        "Exit status: 0 every proof holds, 1 some proof does not, 2 bad usage, a file that cannot be read, or nothing "
-        "to\n"
-        "check: no query, or a motion in which no two elements could meet.\n",
+        "usage: touchstone-check [--allow-empty] PROOFS FILE...\n"
+        "Checks the proofs of `touchstone prove` against their query files or motion files, in their order. Each file\n"
+        "must have the digest that the proofs name.\n"
+        "  --allow-empty   accept a motion whose elements never come near enough to need a proof\n"
+        "Exit status: 0 every proof holds, 1 some proof does not, is about another file, or none was needed, 2 bad\n"
+        "usage, a file that cannot be read, or nothing to check: no query, or a motion in which no two elements could\n"
+        "meet.\n",
         help ? stdout : stderr);
     return help ? 0 : 2;
   }
   try {
-    checker::Checker(argv[1]).run(std::vector<std::string>(argv + 2, argv + argc));
+    using checker::Checker;
+    Checker(words[0]).run({words.begin() + 1, words.end()},
+                          allow_empty ? Checker::Empty::allowed : Checker::Empty::refused);
     return 0;
   } catch (const checker::Rejected& reason) {
     std::fprintf(stderr, "rejected: %s\n", checker::printable(reason.what()).c_str());

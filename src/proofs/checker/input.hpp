@@ -20,6 +20,8 @@
 #include <utility>
 #include <vector>
 
+#include "checker/digest.hpp"
+
 namespace checker {
 
 struct Rejected : std::runtime_error {  // exit status 1
@@ -112,6 +114,12 @@ class Lines {
   /// "FILE:LINE: ", of the line that was read last.
   std::string where() const { return name_ + ":" + std::to_string(number_) + ": "; }
   bool has_end() const { return has_end_; }  ///< whether the line that was read last has an end of line
+  /// The digest of the whole file. Nothing is read from it then.
+  std::string digest() {
+    for (std::string_view line; next_of_all(line);) {
+    }
+    return digest_.text();
+  }
   BadInput bad(const std::string& reason) const { return BadInput(where() + reason); }
   void require(bool good, const char* reason) const {
     if (!good) throw bad(reason);
@@ -126,12 +134,13 @@ class Lines {
     if (file_.eof() && length == 0) return false;
     ++number_;
     has_end_ = !file_.eof();
-    if (has_end_ && !file_.fail()) --length;  // the line feed counts
+    if (has_end_ && !file_.fail()) buffer_[--length] = '\n';  // the line feed counts
     line = {buffer_.data(), length};
     if (!line.empty() && line.back() == '\r') line.remove_suffix(1);
     if (number_ == 1 && line.substr(0, 3) == "\xEF\xBB\xBF") line.remove_prefix(3);  // a byte order mark
     require(line.size() <= kLongestLine && (file_.eof() || !file_.fail()),
             "the line is too long: at most 2^20 bytes are read");
+    digest_.add({buffer_.data(), length + (has_end_ ? 1 : 0)});
     return true;
   }
 
@@ -140,6 +149,7 @@ class Lines {
   std::vector<char> buffer_;
   std::uint64_t number_ = 0;
   bool has_end_ = false;
+  Digest digest_;
 };
 
 inline bool is_digit(char c) { return c >= '0' && c <= '9'; }

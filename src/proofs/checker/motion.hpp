@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <iterator>
 #include <map>
 #include <numeric>
 #include <set>
@@ -57,6 +58,8 @@ class MotionFile {
     return std::string(kSorts[element.size - 1]) + " " + std::to_string(element.number);
   }
 
+  std::string digest() { return lines_.digest(); }
+
   /// Reads a frame, whose line "frame" is the current one, and the line after it. @returns false if there is none
   bool next_step() {
     frames_[0].swap(frames_[1]);
@@ -96,8 +99,10 @@ class MotionFile {
       if (found || first.empty() || all([](const Element& e) { return e.is_fixed; })) return;
       const std::uint32_t body = first[0].body;
       if (body != kNoBody && all([&](const Element& e) { return e.body == body; })) return;
+      const std::vector<Element> moving = moving_of(second);
       found = std::any_of(first.begin(), first.end(), [&](const Element& a) {
-        return std::any_of(second.begin(), second.end(), [&](const Element& b) { return may_meet(kind, a, b); });
+        const std::vector<Element>& partners = a.is_fixed ? moving : second;
+        return std::any_of(partners.begin(), partners.end(), [&](const Element& b) { return may_meet(kind, a, b); });
       });
     });
     return found;
@@ -303,6 +308,26 @@ class MotionFile {
     function(kFold, ends, wires);
   }
 
+  static std::vector<Element> moving_of(const std::vector<Element>& elements) {
+    std::vector<Element> moving;
+    std::copy_if(elements.begin(), elements.end(), std::back_inserter(moving),
+                 [](const Element& e) { return !e.is_fixed; });
+    return moving;
+  }
+
+  /// Elements in the order of the low ends of their boxes along an axis.
+  struct Row {
+    std::vector<Element> elements;
+    std::vector<std::uint32_t> farthest;  ///< the greatest reach of a box and those before it
+    Row(std::vector<Element> all, std::size_t axis) : elements(std::move(all)) {
+      std::sort(elements.begin(), elements.end(),
+                [&](const Element& a, const Element& b) { return a.low[axis] < b.low[axis]; });
+      for (const Element& b : elements) {
+        farthest.push_back(std::max(b.reach[axis], farthest.empty() ? 0 : farthest.back()));
+      }
+    }
+  };
+
   /// It holds the partners of one element at a time, not all pairs.
   template <class Function>
   void for_each_of(const Kind& kind, const std::vector<Element>& first, const std::vector<Element>& second,
@@ -313,11 +338,9 @@ class MotionFile {
       for (std::size_t k = 0; k < 3; ++k) width[k] += b.reach[k] - b.low[k];
     }
     const auto axis = static_cast<std::size_t>(std::min_element(width.begin(), width.end()) - width.begin());
-    std::vector<Element> row = second;
-    std::sort(row.begin(), row.end(), [&](const Element& a, const Element& b) { return a.low[axis] < b.low[axis]; });
-    std::vector<std::uint32_t> farthest;  // the greatest reach of a box and those before it
-    for (const Element& b : row) farthest.push_back(std::max(b.reach[axis], farthest.empty() ? 0 : farthest.back()));
+    const Row all(second, axis), moving(moving_of(second), axis);
     for (const Element& a : first) {
+      const auto& [row, farthest] = a.is_fixed ? moving : all;  // many may be fixed in one place
       std::vector<const Element*> partners;
       // The boxes before this one end below a, and those behind the last one of the loop begin above it.
       const auto begin = std::upper_bound(farthest.begin(), farthest.end(), a.low[axis]) - farthest.begin();

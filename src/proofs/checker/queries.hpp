@@ -314,6 +314,7 @@ class QueryFile {
     next_row();
   }
   bool is_curved() const { return is_curved_; }
+  std::string digest() { return lines_.digest(); }
   /// Reads the next query, whose kind is set. @returns false at the end of the file
   bool next(Query& query) {
     if (columns_.empty()) return false;

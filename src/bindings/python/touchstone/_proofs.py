@@ -109,12 +109,13 @@ def _checker(given):
 
 
 def check(proofs: Union[str, os.PathLike], *files: Union[str, os.PathLike],
-          checker: Optional[Union[str, os.PathLike]] = None) -> Checked:
+          checker: Optional[Union[str, os.PathLike]] = None, allow_empty: bool = False) -> Checked:
     """Lets the program touchstone-check judge a file of proofs. It shares no code with this module but GMP.
 
-    proofs   the file of proofs
-    files    the query files, or the motion file, that it is about, in its order
-    checker  the program; by default that of the variable TOUCHSTONE_CHECK, or touchstone-check in PATH
+    proofs       the file of proofs
+    files        the query files, or the motion file, that it is about, in its order
+    checker      the program; by default that of the variable TOUCHSTONE_CHECK, or touchstone-check in PATH
+    allow_empty  accept a motion of which no two elements come near enough to need a proof
 
     Returns Checked, which is true when every proof holds. Raises FileNotFoundError without the program, and ValueError,
     with its message, for files that it cannot read.
@@ -127,7 +128,8 @@ def check(proofs: Union[str, os.PathLike], *files: Union[str, os.PathLike],
     program = _checker(checker)
     names = [os.path.join(os.curdir, name) if name.startswith("-") else name
              for name in [os.fspath(file) for file in (proofs, *files)]]
-    result = subprocess.run([program, *names], capture_output=True, text=True, errors="replace", check=False)
+    options = ["--allow-empty"] if allow_empty else []
+    result = subprocess.run([program, *options, *names], capture_output=True, text=True, errors="replace", check=False)
     words = (result.stdout + result.stderr).strip()
     if result.returncode not in (0, 1):
         raise ValueError(words or f"{program} ended with the status {result.returncode}")
