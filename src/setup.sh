@@ -170,14 +170,37 @@ try_to_install() {
   esac
 }
 
+# Leaves this machine's package manager in `manager`, or none.
+find_manager() {
+  for manager in apt-get dnf pacman; do
+    ! command -v "$manager" >/dev/null || return 0
+  done
+  manager=none
+}
+
+# What a build of the Python module alone lacks, in one line with the packages. CMake itself names what is missing of
+# Python.
+what_the_module_lacks() {
+  local -a needs=() missing
+  local need manager
+  for need in "${touchstone_needs[@]}"; do
+    case ${need%%|*} in
+      compiler | cmake | cgal.h | gmp.h | mpfr.h | tbb.h) needs+=("$need") ;;
+      ninja) command -v make >/dev/null || needs+=("$need") ;;
+    esac
+  done
+  mapfile -t missing < <(missing_needs)
+  ((${#missing[@]})) || return 0
+  find_manager
+  printf 'missing here: %s; please install by hand: %s\n' "${missing[*]}" "$(packages "${missing[@]}")"
+}
+
 # install_missing [fuzz|tests]: what the build needs, what fuzzing needs when asked, and the optional tools, those of
 # the tests when asked.
 install_missing() {
   local -a needs missing
   local manager trouble='still missing after the install'
-  for manager in apt-get dnf pacman none; do
-    command -v "$manager" >/dev/null && break
-  done
+  find_manager
 
   needs=("${touchstone_needs[@]}")
   [[ ${1:-} != fuzz ]] || needs+=("${touchstone_fuzz_needs[@]}")

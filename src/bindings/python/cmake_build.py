@@ -1,8 +1,10 @@
 """What pyproject.toml needs beyond setuptools: the compiled half of the package, made by CMake.
 
 The environment variable CMAKE_ARGS has further arguments for CMake. TOUCHSTONE_BUILD_DIR names a build folder that has
-the module already. SPDX-License-Identifier: MIT
+the module already. pip shows what CMake and Ninja say where it is asked to by -v, or when the build fails.
+SPDX-License-Identifier: MIT
 """
+import json
 import os
 import re
 import shlex
@@ -13,6 +15,7 @@ import tempfile
 from pathlib import Path
 
 from setuptools.command.build_py import build_py
+from setuptools.errors import ExecError
 
 try:
     from setuptools.command.bdist_wheel import bdist_wheel
@@ -42,14 +45,24 @@ class BuildWithCMake(build_py):
 
     def build(self, folder):
         options = {
-            "CMAKE_BUILD_TYPE": "Release", "TOUCHSTONE_PYTHON": sys.executable, "TOUCHSTONE_BUILD_PYTHON": "ON",
-            "TOUCHSTONE_BUILD_PROGRAM": "OFF", "TOUCHSTONE_BUILD_TESTS": "OFF", "TOUCHSTONE_BUILD_FUZZ": "OFF",
-            "TOUCHSTONE_BUILD_TIGHT_INCLUSION": "OFF", "BUILD_SHARED_LIBS": "OFF"
+            **self.quick_build(), "CMAKE_BUILD_TYPE": "Release", "TOUCHSTONE_PYTHON": sys.executable,
+            "TOUCHSTONE_BUILD_PYTHON": "ON", "TOUCHSTONE_BUILD_PROGRAM": "OFF", "TOUCHSTONE_BUILD_TESTS": "OFF",
+            "TOUCHSTONE_BUILD_FUZZ": "OFF", "TOUCHSTONE_BUILD_TIGHT_INCLUSION": "OFF", "BUILD_SHARED_LIBS": "OFF"
         }
         self.cmake("-S", ROOT, "-B", folder, *self.generator(folder),
                    *(f"-D{name}={value}" for name, value in options.items()),
                    *shlex.split(os.environ.get("CMAKE_ARGS", "")))
-        self.cmake("--build", folder, "--target", "touchstone_python", "--parallel", str(os.cpu_count() or 1))
+        jobs = os.environ.get("CMAKE_BUILD_PARALLEL_LEVEL") or self.set_up("compile_jobs") or os.cpu_count() or 1
+        print(f"touchstone: compiling in {folder}, {jobs} jobs at a time", flush=True)
+        self.cmake("--build", folder, "--target", "touchstone_python", "--parallel", str(jobs))
+
+    def quick_build(self):
+        """What src/setup.sh does, too: the presets' unity build, in two thirds of the time, by ccache where it is
+        installed. The presets themselves need CMake 3.21."""
+        base, = (preset for preset in json.loads((ROOT / "CMakePresets.json").read_text())["configurePresets"]
+                 if preset["name"] == "base")
+        ccache = shutil.which("ccache") and "CMAKE_CXX_COMPILER_LAUNCHER" not in os.environ
+        return {**base["cacheVariables"], **({"CMAKE_CXX_COMPILER_LAUNCHER": "ccache"} if ccache else {})}
 
     def generator(self, folder):
         """Ninja where it is there: CMake's own choice is make, which need not be. The user's choice goes first."""
@@ -59,7 +72,23 @@ class BuildWithCMake(build_py):
         return ["-G", "Ninja"]
 
     def cmake(self, *arguments):
-        subprocess.run(["cmake", *map(str, arguments)], check=True)
+        """Runs CMake. A failure names what is missing here, with the packages that have it."""
+        sys.stdout.flush()
+        try:
+            subprocess.run(["cmake", *map(str, arguments)], check=True)
+        except (OSError, subprocess.CalledProcessError) as error:
+            why = (f"cmake ended with the exit status {error.returncode}, and says why above"
+                   if isinstance(error, subprocess.CalledProcessError) else f"cmake does not start ({error.strerror})")
+            missing = self.set_up("what_the_module_lacks")
+            raise ExecError(f"{why}; {missing}" if missing else why) from None
+
+    def set_up(self, function):
+        """What a function of src/setup.sh prints; nothing where there is no bash."""
+        command = ["bash", "-c", f'source "$1" && {function}', "bash", ROOT / "src/setup.sh"]
+        try:
+            return subprocess.run(command, stdin=subprocess.DEVNULL, capture_output=True, text=True).stdout.strip()
+        except OSError:
+            return ""
 
 
 class PlatformWheel(bdist_wheel):
