@@ -17,6 +17,7 @@ readonly -a heavy_jobs=(
   'arm64|2|the preset arm64: a cross-build, and the tests of the library under qemu-user'
   'faults|10|planted faults: each weakened bound must be noticed'
   'fuzzing|1|the libFuzzer targets, for ten minutes in all'
+  'release|1|the archive and the wheel of a release: made, built from nothing and tried'
   'plain|1|the preset plain: all that is installed, each source compiled by itself'
   'tests|1|every test on all of its random cases, with those of the label heavy'
 )
@@ -87,6 +88,13 @@ run_fuzzing() { "$touchstone_root/fuzz/run.sh" 200; }
 run_plain() {
   install_missing
   build_preset plain touchstone_installed
+}
+run_release() {
+  local status=0
+  install_missing tests
+  "$touchstone_root/tests/release.sh" || status=$?
+  ((status != 77)) || exit 0 # it has said why it is skipped
+  return "$status"
 }
 run_tests() { TOUCHSTONE_EFFORT=1 "$touchstone_root/tests/run-all.sh"; }
 

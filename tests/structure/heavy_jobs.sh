@@ -26,6 +26,7 @@ for name in cmake ctest aarch64-linux-gnu-g++ qemu-aarch64 python3; do
   write_down "$copy/bin/$name" '/answer 3.25.0'
 done
 write_down "$copy/fuzz/weaken-constants.py" ''
+write_down "$copy/tests/release.sh" '/archive 1 bytes'
 for target in query query_file answers_file pipe_lines scene_file mesh_file; do
   write_down "$copy/build/fuzz/fuzz/fuzz_$target" ''
 done
@@ -64,6 +65,7 @@ while read -r job _; do
     faults) expect "$job" 'weaken-constants.py --quick --part 2/3' ;;
     fuzzing) expect "$job" 'cmake --build --preset fuzz' 'make_seeds' 'fuzz_.* -max_total_time=' ;;
     plain) expect "$job" 'cmake --preset plain' 'cmake --build --preset plain .*--target touchstone_installed' ;;
+    release) expect "$job" 'install tests' 'release.sh' ;;
     tests) expect "$job" 'cmake --build --preset release' 'ctest --preset release --parallel [0-9]*$' ;;
     *)
       printf 'no calls are expected of the job %s: add them to heavy_jobs.sh\n' "$job"
