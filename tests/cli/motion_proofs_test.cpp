@@ -3,9 +3,12 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <cstdint>
+#include <cstdio>
+#include <cstring>
 #include <filesystem>
 #include <sstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "cli/run_checker.hpp"
@@ -353,4 +356,108 @@ TEST_CASE("simulate --prove: what is refused, and runs that end early", "[slow]"
   const auto frames = count_of(lines_of(folder.read("fresh/motion.txt")), "frame");
   CHECK(frames > 1);
   check_folder(folder, "fresh", frames - 1);
+}
+
+namespace {
+
+/// An OBJ file of triangles as a binary PLY file, with a byte after each x.
+std::string ply_of(const std::string& obj, const std::string& type, bool big_endian) {
+  std::string vertices, faces;
+  std::size_t counts[2] = {};
+  const auto add = [big_endian](std::string& to, auto number) {
+    char bytes[sizeof number];
+    std::memcpy(bytes, &number, sizeof number);
+    if (big_endian) std::reverse(bytes, bytes + sizeof number);
+    to.append(bytes, sizeof number);
+  };
+  for (const std::string& line : lines_of(obj)) {
+    std::istringstream words(line);
+    std::string word;
+    words >> word;
+    for (int k = 0; word == "v" && k < 3; ++k) {
+      double x = 0;
+      words >> x;
+      type == "double" ? add(vertices, x) : add(vertices, static_cast<float>(x));
+      if (k == 0) vertices += 'q';
+    }
+    if (word == "f") faces += '\3';
+    for (std::string v; word == "f" && words >> v;) add(faces, std::stoi(v) - 1);
+    counts[0] += word == "v" ? 1 : 0;
+    counts[1] += word == "f" ? 1 : 0;
+  }
+  return std::string("ply\nformat binary_") + (big_endian ? "big" : "little") +
+         "_endian 1.0\ncomment x\nelement vertex " + std::to_string(counts[0]) + "\nproperty " + type +
+         " x\nproperty uchar q\nproperty " + type + " y\nproperty " + type + " z\nelement face " +
+         std::to_string(counts[1]) + "\nproperty list uchar int vertex_indices\nend_header\n" + vertices + faces;
+}
+
+}  // namespace
+
+TEST_CASE("mesh: a checker compares a motion with the frames, bit by bit") {
+  const TemporaryFolder folder;
+  // Coordinates that are floats, and frames of which the tenth comes after the second in the order of characters.
+  const auto frame = [](int i, const std::string& more = "f 4 5 6\n") {
+    return "# x\n\tv 0 0 0\nv  4 0 0\nv 0 4 0\nf 1/1 2/2 3/3\nv 1 1 " + std::to_string(12 - i) +
+           ".5\nv 2 1 14\nv 1 2 14\n" + more;
+  };
+  std::vector<std::string> files;
+  for (int i = 0; i < 12; ++i) files.push_back(folder.write("f-" + std::to_string(i) + ".obj", frame(i)));
+  REQUIRE(run({"mesh", "--prove", folder.path("out")}, files).status == 0);
+  const auto compared = [&](const std::string& pattern, const std::vector<std::string>& options = {"--allow-empty"}) {
+    std::vector<std::string> all = options;
+    all.insert(all.end(), {"--frames", folder.path(pattern)});
+    return check(folder, "out", all);
+  };
+  const Run same = compared("f-*.obj");
+  CAPTURE(same.out, same.err);
+  CHECK(same.status == 0);
+  CHECK(occurrences(same.out, "2 faces, whose frames are those of the 12 files") == 1);
+  for (const std::string type : {"float", "double"}) {
+    for (const bool big_endian : {false, true}) {
+      for (int i = 0; i < 12; ++i) folder.write("p-" + std::to_string(i) + ".ply", ply_of(frame(i), type, big_endian));
+      CHECK(compared("p-*.ply").status == 0);
+    }
+  }
+  const auto refused = [&](int status, const std::string& message, const std::string& pattern = "f-*.obj") {
+    const Run now = compared(pattern);
+    CAPTURE(message, now.out, now.err);
+    CHECK(now.status == status);
+    CHECK(now.out == "");
+    CHECK(occurrences(now.err, message) == 1);
+  };
+  const std::string seventh = frame(7);
+  const auto with_seventh = [&](const std::string& text, int status, const std::string& message) {
+    folder.write("f-7.obj", text);
+    refused(status, message);
+    folder.write("f-7.obj", seventh);
+  };
+  with_seventh(frame(8), 1, "f-7.obj and frame 7: the coordinates of vertex 3 differ");
+  with_seventh(seventh + "v 0 0 0\n", 1, "f-7.obj and frame 7: 7 vertices, and 6");
+  with_seventh(seventh + "f 1 2 4\n", 1, "f-7.obj and frame 7: face 2 of the file is none of the motion");
+  with_seventh(seventh + "f 1 2 3 4\n", 2, "f-7.obj:10: --frames reads triangles alone");
+  with_seventh(seventh + "f 1 2 7\n", 2, "f-7.obj:10: \"7\" is no vertex above this line");
+  folder.write("f-7.obj", frame(7, "f -3 -2 -1\n"));  // the same vertices
+  CHECK(compared("f-*.obj").status == 0);
+  refused(2, "no file has such a name", "g-*.obj");
+  refused(1, "the motion has more frames than --frames names files", "f-?.obj");
+  folder.write("f-12.obj", frame(12));
+  refused(1, "--frames names more files than the motion has frames");
+  std::string cut_off = ply_of(frame(3), "float", true);
+  cut_off.pop_back();
+  folder.write("p-3.ply", cut_off);
+  refused(2, "p-3.ply: the file is cut off", "p-*.ply");
+  folder.write("p-3.ply", "ply\nformat ascii 1.0\nend_header\n");
+  refused(2, "p-3.ply: --frames reads binary PLY alone, and OBJ", "p-*.ply");
+  // A motion that leaves out a side, or a corner, under a digest of its own.
+  std::remove(folder.path("f-12.obj").c_str());
+  const std::string motion = folder.read("out/motion.txt"), proofs = folder.read("out/proofs.txt");
+  for (const auto& [line, message] :
+       {std::pair{"edge 0 1\n", "1 side is no edge"}, {"point 1\n", "1 corner is no point"}}) {
+    std::string less = motion, with_digest = proofs;
+    less.erase(less.find(line), std::string(line).size());
+    folder.write("out/motion.txt", less);
+    with_digest.replace(with_digest.find("file mesh ") + 10, 64, io::sha256(less));
+    folder.write("out/proofs.txt", with_digest);
+    refused(1, message);
+  }
 }

@@ -19,7 +19,8 @@ struct Separation {
 
 class Checker {
  public:
-  explicit Checker(const std::string& proofs) : lines_(proofs) {}
+  /// @param frames  the files of the frames of a motion; empty: they are not compared
+  Checker(const std::string& proofs, std::vector<std::string> frames) : lines_(proofs), frames_(std::move(frames)) {}
 
   /// Whether proofs of which none is needed are accepted.
   enum class Empty : bool { refused, allowed };
@@ -34,6 +35,7 @@ class Checker {
                      std::to_string(contacts_) + ", after the proofs of the last query file");
     }
     if (next()) throw expected("the end of the file, after the line \"end\"");
+    if (!frames_.empty() && motions_ != 1) throw BadInput("--frames goes with one motion file and nothing else");
     if (queries_ == 0 && empty == Empty::refused) {
       throw Rejected("no query was checked: " + std::string(kNoneNear) +
                      "; --allow-empty accepts this, and the digest of each file must show that it is the right one");
@@ -83,6 +85,7 @@ class Checker {
                        ", but no two elements that share no vertex and are neither all fixed nor all on one body; a "
                        "motion of at least two such elements was expected");
       }
+      if (!frames_.empty()) text += ", whose frames are those of the " + counted(frames_.size(), "file", "files");
       if (queries_ == before) text += std::string("; ") + kNoneNear;
     } else {
       QueryFile queries(name);
@@ -131,10 +134,20 @@ class Checker {
     next();
   }
 
+  /// Compares a frame with its file, if there are some.
+  void compare_frame(const MotionFile& motion, std::size_t end) const {
+    if (frames_.empty()) return;
+    const std::size_t frame = motion.frame_count() - 2 + end;
+    if (frame >= frames_.size()) throw Rejected("the motion has more frames than --frames names files");
+    motion.compare_frame(frames_[frame], end);
+  }
+
   /// @returns the number of steps
   std::size_t check_motion(MotionFile& motion, const std::string& name) {
     std::size_t step = 0;
+    compare_frame(motion, 0);
     do {
+      compare_frame(motion, 1);
       const std::string step_name = "step " + std::to_string(step);
       if (words_ != Words{"step", std::to_string(step)}) throw expected("\"" + step_name + "\" of " + name);
       next();
@@ -158,6 +171,8 @@ class Checker {
               "a proof too many: the step has no more pairs whose boxes are at most the separation apart");
       ++step;
     } while (motion.next_step());
+    require(frames_.empty() || frames_.size() == motion.frame_count(),
+            "--frames names more files than the motion has frames");
     return step;
   }
 
@@ -385,6 +400,7 @@ class Checker {
   Lines lines_;
   Words words_;
   unsigned long long queries_ = 0, contacts_ = 0, motions_ = 0;
+  std::vector<std::string> frames_;
   std::string report_;  ///< of files that hold; printed when all do
   Separation separation_;
 
@@ -404,27 +420,39 @@ class Checker {
 
 }  // namespace checker
 
+namespace {
+
+constexpr char kUsage[] =
+    "usage: touchstone-check [OPTION]... PROOFS FILE...\n"
+    "Checks the proofs of `touchstone prove` against their query files or motion files, in their order. Each file\n"
+    "must have the digest that the proofs name.\n"
+    "  --allow-empty      accept a motion whose elements never come near enough to need a proof\n"
+    "  --frames PATTERN   the frames of the motion must be these files, OBJ or binary PLY, bit by bit, and all of "
+    "their\n"
+    "                     triangles, sides and corners its elements; in quotes, such as 'cloth-*.obj'\n"
+    "Exit status: 0 every proof holds, 1 some proof does not, is about other files, or none was needed, 2 bad usage, "
+    "a\n"
+    "file that cannot be read, or nothing to check: no query, or a motion in which no two elements could meet.\n";
+
+}  // namespace
+
 int main(int argc, char** argv) {
-  std::vector<std::string> words(argv + 1, argv + argc);
+  using checker::Checker;
+  std::vector<std::string> words(argv + 1, argv + argc), frames;
   const bool help = !words.empty() && (words[0] == "--help" || words[0] == "-h");
-  const bool allow_empty = !words.empty() && words[0] == "--allow-empty";
-  if (allow_empty) words.erase(words.begin());
-  if (help || words.size() < 2) {
-    std::fputs(
-        "usage: touchstone-check [--allow-empty] PROOFS FILE...\n"
-        "Checks the proofs of `touchstone prove` against their query files or motion files, in their order. Each file\n"
-        "must have the digest that the proofs name.\n"
-        "  --allow-empty   accept a motion whose elements never come near enough to need a proof\n"
-        "Exit status: 0 every proof holds, 1 some proof does not, is about another file, or none was needed, 2 bad\n"
-        "usage, a file that cannot be read, or nothing to check: no query, or a motion in which no two elements could\n"
-        "meet.\n",
-        help ? stdout : stderr);
-    return help ? 0 : 2;
-  }
+  auto empty = Checker::Empty::refused;
   try {
-    using checker::Checker;
-    Checker(words[0]).run({words.begin() + 1, words.end()},
-                          allow_empty ? Checker::Empty::allowed : Checker::Empty::refused);
+    while (!help && !words.empty() && (words[0] == "--allow-empty" || words[0] == "--frames")) {
+      const std::size_t taken = words[0] == "--frames" ? 2 : 1;
+      if (taken == 1) empty = Checker::Empty::allowed;
+      if (taken == 2 && words.size() > 1) frames = checker::files_of(words[1]);
+      words.erase(words.begin(), words.begin() + static_cast<long>(std::min(taken, words.size())));
+    }
+    if (help || words.size() < 2) {
+      std::fputs(kUsage, help ? stdout : stderr);
+      return help ? 0 : 2;
+    }
+    Checker(words[0], frames).run({words.begin() + 1, words.end()}, empty);
     return 0;
   } catch (const checker::Rejected& reason) {
     std::fprintf(stderr, "rejected: %s\n", checker::printable(reason.what()).c_str());

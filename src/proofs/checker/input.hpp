@@ -94,9 +94,9 @@ class Lines {
   explicit Lines(std::string name) : name_(std::move(name)), file_(name_, std::ios::binary), buffer_(kLongestLine + 2) {
     if (!file_) throw BadInput(name_ + ": cannot be opened for reading: " + std::strerror(errno));
   }
-  /// Splits the next line into the words between spaces, or the columns between commas. They stay in place until the
-  /// next call. @returns false at the end of the file, without words
-  bool next(Words& words, char separator = ' ') {
+  /// Splits the next line into the words between the separators, or the columns between commas. They stay in place until
+  /// the next call. @returns false at the end of the file, without words
+  bool next(Words& words, const char* separators = " ") {
     words.clear();
     std::string_view line;
     std::size_t first = std::string_view::npos;
@@ -105,8 +105,8 @@ class Lines {
       first = line.find_first_not_of(" \t");
     }
     for (std::size_t begin = 0; begin <= line.size();) {
-      const std::size_t end = std::min(line.find(separator, begin), line.size());
-      if (separator != ' ' || end > begin) words.push_back(line.substr(begin, end - begin));
+      const std::size_t end = std::min(line.find_first_of(separators, begin), line.size());
+      if (*separators == ',' || end > begin) words.push_back(line.substr(begin, end - begin));
       begin = end + 1;
     }
     return true;

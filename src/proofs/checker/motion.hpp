@@ -7,6 +7,7 @@
 #include <numeric>
 #include <set>
 
+#include "checker/frames.hpp"
 #include "checker/queries.hpp"
 
 namespace checker {
@@ -59,6 +60,38 @@ class MotionFile {
   }
 
   std::string digest() { return lines_.digest(); }
+  std::size_t frame_count() const { return frame_; }  ///< those that were read
+
+  /// @param end  0 for the first frame of the step, 1 for the second one
+  /// @throws Rejected unless that frame is this file, bit by bit, with all of its triangles, their sides and their corners
+  /// among the elements
+  void compare_frame(const std::string& file, std::size_t end) const {
+    const std::string what = file + " and frame " + std::to_string(frame_ - 2 + end) + ": ";
+    const auto require = [&](bool holds, const std::string& reason) {
+      if (!holds) throw Rejected(what + reason);
+    };
+    const MeshFile mesh = read_mesh(file);
+    require(body_count_ == 0, "a motion with bodies has poses; --frames compares vertices");
+    require(mesh.positions.size() == 3 * std::size_t{count_},
+            std::to_string(mesh.positions.size() / 3) + " vertices, and " + std::to_string(count_));
+    for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
+      require(compare(mesh.positions[i], frames_[end][i]) == 0,
+              "the coordinates of vertex " + std::to_string(i / 3) + " differ");
+    }
+    const auto sorted = [](std::array<std::uint32_t, 3> face) {
+      std::sort(face.begin(), face.end());
+      return face;
+    };
+    std::set<std::array<std::uint32_t, 3>> faces;
+    for (const Element& face : elements_[2]) faces.insert(sorted(face.vertices));
+    for (std::size_t i = 0; i < mesh.faces.size(); ++i) {
+      require(faces.count(sorted(mesh.faces[i])) > 0,
+              "face " + std::to_string(i) + " of the file is none of the motion");
+    }
+    const auto [corners, sides] = undeclared();
+    require(corners == 0, counted(corners, "corner is no point", "corners are no points"));
+    require(sides == 0, counted(sides, "side is no edge", "sides are no edges"));
+  }
 
   /// Reads a frame, whose line "frame" is the current one, and the line after it. @returns false if there is none
   bool next_step() {
@@ -120,19 +153,9 @@ class MotionFile {
       text +=
           ", " + counted(elements_[4].size(), "vertex", "vertices") + " on " + counted(body_count_, "body", "bodies");
     }
-    std::set<std::uint32_t> corners;  // of edges and faces, without a line of their own, and sides of faces likewise
-    std::set<std::array<std::uint32_t, 2>> sides;
-    for (const std::size_t sort : {1, 2}) {
-      for (const Element& e : elements_[sort]) {
-        for (std::size_t k = 0; k < e.size; ++k) {
-          if (single_[0].count(e.vertices[k]) == 0) corners.insert(e.vertices[k]);
-          if (sort == 2) sides.insert(side(e.vertices[k], e.vertices[(k + 1) % 3]));
-        }
-      }
-    }
-    for (const Element& edge : elements_[1]) sides.erase(side(edge.vertices[0], edge.vertices[1]));
-    if (!corners.empty()) text += ", " + counted(corners.size(), "corner is no point", "corners are no points");
-    if (!sides.empty()) text += ", " + counted(sides.size(), "side is no edge", "sides are no edges");
+    const auto [corners, sides] = undeclared();
+    if (corners > 0) text += ", " + counted(corners, "corner is no point", "corners are no points");
+    if (sides > 0) text += ", " + counted(sides, "side is no edge", "sides are no edges");
     return text;
   }
 
@@ -212,6 +235,22 @@ class MotionFile {
           e.body = kNoBody;
       }
     }
+  }
+
+  /// The numbers of corners of edges and faces that have no line of their own, and of sides of faces likewise.
+  std::array<std::size_t, 2> undeclared() const {
+    std::set<std::uint32_t> corners;
+    std::set<std::array<std::uint32_t, 2>> sides;
+    for (const std::size_t sort : {1, 2}) {
+      for (const Element& e : elements_[sort]) {
+        for (std::size_t k = 0; k < e.size; ++k) {
+          if (single_[0].count(e.vertices[k]) == 0) corners.insert(e.vertices[k]);
+          if (sort == 2) sides.insert(side(e.vertices[k], e.vertices[(k + 1) % 3]));
+        }
+      }
+    }
+    for (const Element& edge : elements_[1]) sides.erase(side(edge.vertices[0], edge.vertices[1]));
+    return {corners.size(), sides.size()};
   }
 
   static std::array<std::uint32_t, 2> side(std::uint32_t v, std::uint32_t w) {

@@ -325,7 +325,7 @@ class QueryFile {
  private:
   void require(bool good, const char* reason) const { lines_.require(good, reason); }
   void next_row() {
-    lines_.next(columns_, ',');
+    lines_.next(columns_, ",");
     for (std::string_view& column : columns_) {
       column.remove_prefix(std::min(column.find_first_not_of(" \t"), column.size()));
       column.remove_suffix(column.size() - (column.find_last_not_of(" \t") + 1));
