@@ -102,6 +102,14 @@ class MeshBuilder {
   std::unordered_map<std::string, std::uint32_t> part_numbers_;
 };
 
+/// Calls `add(a, b, c)` for the triangles of a strip: every second one is turned, so that all have one orientation.
+template <class Add>
+void for_each_of_strip(std::span<const MeshIndex> corners, Add add) {
+  for (std::size_t i = 2; i < corners.size(); ++i) {
+    add(corners[i - 2], corners[i - 1 + i % 2], corners[i - i % 2]);
+  }
+}
+
 /// "vertex 7 does not exist: the file has the vertices 0 to 4", with numbers as the file has them.
 std::string fault_of_index(std::int64_t index, std::size_t vertex_count, std::int64_t first_number);
 
