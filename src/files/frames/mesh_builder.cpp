@@ -24,6 +24,14 @@ void MeshBuilder::add_unusual_polygon(std::span<const MeshIndex> corners, std::u
   for (std::size_t i = 2; i < corners.size(); ++i) add_face({corners[0], corners[i - 1], corners[i]}, number);
 }
 
+void MeshBuilder::add_strip(std::span<const MeshIndex> corners, std::uint64_t number, const FilePosition& position) {
+  if (corners.size() < 3) {
+    position.fail("strip " + std::to_string(number) + " has " + std::to_string(corners.size()) +
+                  " corners; a strip of triangles has three or more");
+  }
+  for_each_of_strip(corners, [&](MeshIndex a, MeshIndex b, MeshIndex c) { add_face({a, b, c}, number); });
+}
+
 void MeshBuilder::add_polyline(std::span<const MeshIndex> vertices, const FilePosition& position) {
   if (vertices.size() < 2) position.fail("a line has two vertices or more");
   for (std::size_t i = 1; i < vertices.size(); ++i) add_edge(vertices[i - 1], vertices[i]);

@@ -53,6 +53,8 @@ class MeshBuilder {
       add_face({corners[0], corners[1], corners[2]}, number);
     }
   }
+  /// Adds the triangles of a strip, all with its number.
+  void add_strip(std::span<const MeshIndex> corners, std::uint64_t number, const FilePosition& position);
   void add_edge(MeshIndex a, MeshIndex b) { mesh_.topology.edges.push_back({a, b}); }
   void add_polyline(std::span<const MeshIndex> vertices, const FilePosition& position);
   /// Of all tetrahedra the faces that are in one of them are kept, unless the file has them as triangles. Seen

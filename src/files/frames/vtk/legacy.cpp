@@ -1,4 +1,4 @@
-// Legacy VTK, of text and binary: POLYDATA, and UNSTRUCTURED_GRID of points, lines, polygons and tetrahedra.
+// Legacy VTK, of text and binary: POLYDATA and UNSTRUCTURED_GRID.
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <array>
@@ -8,6 +8,7 @@
 
 #include "frames/formats.hpp"
 #include "frames/text_scanner.hpp"
+#include "frames/vtk/cells.hpp"
 #include "io/bytes.hpp"
 #include "io/fail.hpp"
 
@@ -38,27 +39,8 @@ constexpr std::array<ScalarType, 17> kTypes = {{{"char", 1},
                                                 {"double", 8},
                                                 {"vtktypeint64", 8}}};
 
-/// Cells as a file of any version has them: the corners of cell i are corners[starts[i]] to corners[starts[i + 1]].
-struct Cells {
-  std::vector<std::uint64_t> starts{0};
-  std::vector<MeshIndex> corners;
-
-  std::size_t count() const { return starts.size() - 1; }
-  std::span<const MeshIndex> operator[](std::size_t cell) const {
-    return std::span(corners).subspan(starts[cell], starts[cell + 1] - starts[cell]);
-  }
-};
-
-enum CellType : std::int64_t {
-  vertex = 1,
-  poly_vertex = 2,
-  line = 3,
-  poly_line = 4,
-  triangle = 5,
-  polygon = 7,
-  quad = 9,
-  tetrahedron = 10
-};
+/// In the order of PolyList.
+constexpr std::array<std::string_view, kPolyLists> kPolySections = {"VERTICES", "LINES", "POLYGONS", "TRIANGLE_STRIPS"};
 
 class VtkReader {
  public:
@@ -78,7 +60,7 @@ class VtkReader {
       read_section(keyword);
     }
     if (!has_points_) io::fail(file_, "has no POINTS");
-    if (is_grid_) add_grid();
+    is_grid_ ? add_grid() : add_poly_data(builder_, lists_, 0, {file_});
     return builder_.finish({file_});
   }
 
@@ -124,24 +106,12 @@ class VtkReader {
       cells_ = read_cells();
     } else if (is_grid_ && is(keyword, "CELL_TYPES") && cell_types_.empty()) {
       read_cell_types();
-    } else if (!is_grid_ && is(keyword, "VERTICES") && !seen_[0]) {
-      seen_[0] = true;
-      for (const MeshIndex point : read_cells().corners) builder_.add_point(point);
-    } else if (!is_grid_ && is(keyword, "LINES") && !seen_[1]) {
-      seen_[1] = true;
-      const Cells lines = read_cells();
-      for (std::size_t i = 0; i < lines.count(); ++i) builder_.add_polyline(lines[i], {file_});
-    } else if (!is_grid_ && is(keyword, "POLYGONS") && !seen_[2]) {
-      seen_[2] = true;
-      const Cells polygons = read_cells();
-      builder_.reserve_faces(polygons.count());
-      for (std::size_t i = 0; i < polygons.count(); ++i) builder_.add_polygon(polygons[i], i, {file_});
-    } else if (!is_grid_ && is(keyword, "TRIANGLE_STRIPS")) {
-      scanner_.fail("TRIANGLE_STRIPS are not read; write POLYGONS");
+    } else if (const auto list = is_grid_ ? std::nullopt : poly_list(keyword); list && lists_[*list].count() == 0) {
+      lists_[*list] = read_cells();
     } else {
       scanner_.fail(io::in_quotes(keyword) + (is_grid_ ? " where CELLS, CELL_TYPES, POINT_DATA or CELL_DATA should be"
-                                                       : " where VERTICES, LINES, POLYGONS, POINT_DATA or CELL_DATA "
-                                                         "should be, each at most once"));
+                                                       : " where VERTICES, LINES, POLYGONS, TRIANGLE_STRIPS, "
+                                                         "POINT_DATA or CELL_DATA should be, each at most once"));
     }
   }
 
@@ -174,11 +144,11 @@ class VtkReader {
 
   /// "n size" and then n times a number of corners and the corners; or, from version 5 on, "n + 1 corners", OFFSETS and
   /// CONNECTIVITY.
-  Cells read_cells() {
+  VtkCells read_cells() {
     const std::uint64_t first = read_count("a number of cells");
     const std::uint64_t second = read_count("a number of integers");
     end_keyword("the size of the cells");
-    Cells cells;
+    VtkCells cells;
     if (has_offsets_) {
       if (first > 0) read_offsets(cells, first, second);
       return cells;
@@ -204,7 +174,7 @@ class VtkReader {
     return cells;
   }
 
-  void read_offsets(Cells& cells, std::uint64_t count, std::uint64_t corners) {
+  void read_offsets(VtkCells& cells, std::uint64_t count, std::uint64_t corners) {
     const std::size_t offset_size = read_integer_type("OFFSETS");
     check_size(count, is_binary_ ? offset_size : 1);
     cells.starts.clear();
@@ -253,46 +223,27 @@ class VtkReader {
       io::fail(file_, "has " + std::to_string(cells_.count()) + " CELLS and " + std::to_string(cell_types_.size()) +
                           " CELL_TYPES, and should have as many");
     }
-    for (std::size_t cell = 0; cell < cells_.count(); ++cell) add_cell(cell, cells_[cell], cell_types_[cell]);
+    add_grid_cells(builder_, cells_, cell_types_, 0, {file_});
   }
 
-  void add_cell(std::size_t cell, std::span<const MeshIndex> corners, std::int64_t type) {
-    const auto check_corners = [&](std::size_t right) {
-      if (corners.size() == right) return;
-      io::fail(file_, "cell " + std::to_string(cell) + " of type " + std::to_string(type) + " has " +
-                          std::to_string(corners.size()) + " corners; right are " + std::to_string(right));
-    };
-    switch (type) {
-      case vertex: check_corners(1); [[fallthrough]];
-      case poly_vertex:
-        for (const MeshIndex point : corners) builder_.add_point(point);
-        break;
-      case line: check_corners(2); [[fallthrough]];
-      case poly_line: builder_.add_polyline(corners, {file_}); break;
-      case triangle: check_corners(3); return builder_.add_polygon(corners, cell, {file_});
-      case quad: check_corners(4); [[fallthrough]];
-      case polygon: builder_.add_polygon(corners, cell, {file_}); break;
-      case tetrahedron:
-        check_corners(4);
-        return builder_.add_tetrahedron({corners[0], corners[1], corners[2], corners[3]}, cell);
-      default:
-        io::fail(file_, "cell " + std::to_string(cell) + " has the type " + std::to_string(type) +
-                            "; 1 to 5, 7, 9 and 10 are read: points, lines, triangles, polygons and tetrahedra");
-    }
+  /// The index in lists_ of the section of this name.
+  static std::optional<std::size_t> poly_list(std::string_view keyword) {
+    const auto found = std::find_if(kPolySections.begin(), kPolySections.end(),
+                                    [&](std::string_view section) { return is(keyword, section); });
+    if (found == kPolySections.end()) return std::nullopt;
+    return static_cast<std::size_t>(found - kPolySections.begin());
   }
 
   /// Data of points and cells come after all elements. A section of elements among them is a line of a keyword and two
   /// numbers; the line of an array, which may have such a name, has a type too. No element is left out in silence.
   void skip_data() {
-    constexpr std::array<std::string_view, 5> kSections = {"VERTICES", "LINES", "POLYGONS", "TRIANGLE_STRIPS", "CELLS"};
     const auto is_number = [](std::string_view word) {
       return !word.empty() && std::all_of(word.begin(), word.end(), is_digit);
     };
     while (!scanner_.at_end()) {
       scanner_.skip_line();
       const std::string_view keyword = scanner_.word();
-      if (std::none_of(kSections.begin(), kSections.end(), [&](auto section) { return is(keyword, section); }))
-        continue;
+      if (!poly_list(keyword) && !is(keyword, "CELLS")) continue;
       if (!is_number(scanner_.word()) || !is_number(scanner_.word()) || !scanner_.at_line_end()) continue;
       position().fail(io::in_quotes(keyword) + " after the data of points or cells; all elements come before them");
     }
@@ -370,8 +321,8 @@ class VtkReader {
   bool has_offsets_ = false;
   bool is_grid_ = false;
   bool has_points_ = false;
-  std::array<bool, 3> seen_{};  ///< VERTICES, LINES and POLYGONS
-  Cells cells_;
+  std::array<VtkCells, kPolyLists> lists_;
+  VtkCells cells_;
   std::vector<std::int64_t> cell_types_;
 };
 
