@@ -29,11 +29,13 @@ readonly -a touchstone_needs=(
 )
 
 # Optional libraries and tools: the set-up installs them where it can, and goes on where it cannot. Without them the
-# program draws no plots and reads no HDF5 files, and there is no Python module.
+# program draws no plots and reads no HDF5 files and no XML files of VTK, and there is no Python module.
 readonly -a touchstone_tools=(
   'gnuplot|gnuplot|gnuplot-nox|gnuplot|gnuplot'
   'python3|python3|python3|python3|python'
   'hdf5.h|hdf5.h hdf5/serial/hdf5.h|libhdf5-dev|hdf5-devel|hdf5'
+  'expat.h|expat.h|libexpat1-dev|expat-devel|expat'
+  'zlib.h|zlib.h|zlib1g-dev|zlib-devel|zlib'
   'python.h|python3.9/Python.h python3.10/Python.h python3.11/Python.h python3.12/Python.h python3.13/Python.h python3.14/Python.h|python3-dev|python3-devel|python'
   'pybind11.h|pybind11/pybind11.h|pybind11-dev|pybind11-devel|pybind11'
   'f2py|f2py3 f2py|python3-numpy|python3-numpy-f2py|python-numpy'  # it comes with NumPy

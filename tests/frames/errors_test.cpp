@@ -21,12 +21,6 @@ struct Fault {
   std::string message;  ///< a part of it; it starts with ":LINE: " or ": "
 };
 
-std::string replaced(std::string text, const std::string& from, const std::string& to) {
-  const std::size_t at = text.find(from);
-  REQUIRE(at != std::string::npos);
-  return text.replace(at, from.size(), to);
-}
-
 Sample sample_called(const std::string& name) {
   for (const Sample& sample : mesh_samples()) {
     if (sample.name == name) return sample;

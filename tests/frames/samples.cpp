@@ -2,6 +2,9 @@
 #include "frames/samples.hpp"
 
 #include <cstdio>
+#include <stdexcept>
+
+#include "frames/vtk_xml_samples.hpp"
 
 namespace touchstone::tests {
 namespace {
@@ -228,6 +231,12 @@ std::string base64(std::string_view bytes) {
   return text;
 }
 
+std::string replaced(std::string text, const std::string& from, const std::string& to) {
+  const std::size_t at = text.find(from);
+  if (at == std::string::npos) throw std::invalid_argument("nothing to replace: " + from);
+  return text.replace(at, from.size(), to);
+}
+
 std::string glb(std::string json, std::string buffer) {
   json.resize((json.size() + 3) / 4 * 4, ' ');
   buffer.resize((buffer.size() + 3) / 4 * 4, '\0');
@@ -243,25 +252,28 @@ std::string decimal(double value) {
 }
 
 std::vector<Sample> mesh_samples() {
-  return {obj(),
-          obj_of_windows(),
-          ply_text(),
-          ply_binary(std::endian::little, false),
-          ply_binary(std::endian::big, false),
-          ply_binary(std::endian::little, true),
-          ply_binary(std::endian::big, true),
-          vtk_text(),
-          vtk_grid(),
-          vtk_binary(),
-          vtk_offsets(),
-          vtk_offsets_text(),
-          off(),
-          off_of_colours(),
-          msh2(),
-          msh4(),
-          gltf_embedded(),
-          gltf_binary(),
-          gltf_of_short_indices()};
+  std::vector<Sample> samples = {obj(),
+                                 obj_of_windows(),
+                                 ply_text(),
+                                 ply_binary(std::endian::little, false),
+                                 ply_binary(std::endian::big, false),
+                                 ply_binary(std::endian::little, true),
+                                 ply_binary(std::endian::big, true),
+                                 vtk_text(),
+                                 vtk_grid(),
+                                 vtk_binary(),
+                                 vtk_offsets(),
+                                 vtk_offsets_text(),
+                                 off(),
+                                 off_of_colours(),
+                                 msh2(),
+                                 msh4(),
+                                 gltf_embedded(),
+                                 gltf_binary(),
+                                 gltf_of_short_indices()};
+  const std::vector<Sample> more = vtk_xml_samples();
+  samples.insert(samples.end(), more.begin(), more.end());
+  return samples;
 }
 
 std::string npy(std::string_view descr, bool fortran, std::string_view shape, const std::string& values, int version) {

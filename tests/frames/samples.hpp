@@ -59,6 +59,9 @@ std::string bytes_of(Number number, std::endian order) {
 /// 17 significant digits, as printf writes them, which say every double.
 std::string decimal(double value);
 
+/// The text with the first `from` in it replaced. @throws std::invalid_argument  if there is none
+std::string replaced(std::string text, const std::string& from, const std::string& to);
+
 /// In base64.
 std::string base64(std::string_view bytes);
 

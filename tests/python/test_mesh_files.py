@@ -1,6 +1,7 @@
 """Meshes from files, and how near their elements come. SPDX-License-Identifier: MIT"""
 import math
 
+import numpy as np
 import pytest
 import touchstone as ts
 
@@ -76,3 +77,22 @@ def test_what_is_no_mesh_is_refused(tmp_path):
         ts.read_mesh(write(tmp_path, "s.obj", shared), between_parts=True)
     with pytest.raises(TypeError):
         ts.read_mesh(3)
+
+
+@pytest.mark.parametrize("style", [{"binary": False}, {"compression": None}, {"compression": "zlib"}])
+@pytest.mark.parametrize("real", ["float64", "float32"])
+def test_a_vtu_file_of_meshio_has_the_same_mesh(tmp_path, style, real):
+    meshio = pytest.importorskip("meshio", reason="meshio is not there (Debian: python3-meshio)")
+    random = np.random.default_rng(5)
+    points = (random.standard_normal((4000, 3)) * 2.0 ** random.integers(-30, 30, (4000, 1))).astype(real)
+    corners = [random.permutation(3990)[:3 * n].reshape(-1, 3) for n in (1200, 1)]
+    edges = random.permutation(3990)[:600].reshape(-1, 2)
+    cells = [("triangle", corners[0]), ("line", edges), ("triangle", corners[1]), ("vertex", np.array([[3990], [3999]]))]
+    path = tmp_path / "a.vtu"
+    meshio.vtu.write(path, meshio.Mesh(points, cells), **style)
+    mesh, positions, _, _ = ts.read_mesh(path)
+    # meshio writes 12 digits of text; what they say is the nearest double.
+    written = points if style.get("binary", True) else [[float(f"{x:.11e}") for x in row] for row in points]
+    assert np.array_equal(positions, np.asarray(written, dtype=np.float64))
+    assert np.array_equal(mesh.faces, np.concatenate(corners)) and mesh.points.tolist() == [3990, 3999]
+    assert {tuple(sorted(edge)) for edge in edges.tolist()} <= {tuple(sorted(edge)) for edge in mesh.edges.tolist()}

@@ -48,6 +48,12 @@ std::vector<BuildComponent> build_components() {
        details(written::kHasHdf5, versioned("libhdf5", written::kHdf5),
                "built without libhdf5: mesh reads no such files"),
        "libhdf5-dev"},
+      {"VTK XML files", written::kHasExpat && written::kHasZlib,
+       details(written::kHasExpat,
+               versioned("expat", written::kExpat) +
+                   (written::kHasZlib ? " and zlib" : ", without zlib: mesh reads no compressed ones"),
+               "built without expat: mesh reads no .vtu and .vtp"),
+       "libexpat1-dev zlib1g-dev"},
       {"bench", written::kHasBenchmark,
        details(written::kHasBenchmark, versioned("Google benchmark", written::kBenchmark),
                "built without Google benchmark: `touchstone bench` measures nothing"),

@@ -16,10 +16,12 @@ io::WholeFile read_content(const std::string& file, io::InputFile::Checkpoint ch
 }
 
 std::optional<Format> known_format_of(const std::string& file) {
-  constexpr std::array<std::pair<std::string_view, Format>, 13> kEndings = {{{".obj", Format::obj},
+  constexpr std::array<std::pair<std::string_view, Format>, 15> kEndings = {{{".obj", Format::obj},
                                                                              {".ply", Format::ply},
                                                                              {".stl", Format::stl},
                                                                              {".vtk", Format::vtk},
+                                                                             {".vtu", Format::vtk_xml},
+                                                                             {".vtp", Format::vtk_xml},
                                                                              {".off", Format::off},
                                                                              {".msh", Format::msh},
                                                                              {".gltf", Format::gltf},
@@ -41,9 +43,9 @@ std::optional<Format> known_format_of(const std::string& file) {
 Format format_of(const std::string& file) {
   if (const auto format = known_format_of(file)) return *format;
   io::fail(file,
-           "has an ending that is not known; right are .obj, .ply, .stl, .vtk, .off, .msh, .gltf, .glb, .npy, .h5, "
-           ".hdf5, .pc2 and "
-           ".mdd; meshio, a program of its own, makes one of another: meshio convert a.x a.ply");
+           "has an ending that is not known; right are .obj, .ply, .stl, .vtk, .vtu, .vtp, .off, .msh, .gltf, .glb, "
+           ".npy, .h5, .hdf5, .pc2 and .mdd; meshio, a program of its own, makes one of another: meshio convert a.x "
+           "a.ply");
 }
 
 }  // namespace touchstone::frames

@@ -23,7 +23,7 @@ io::WholeFile read_content(const std::string& file, io::InputFile::Checkpoint ch
 /// The files that a mesh file names and is made of: the buffers of glTF. Empty where the file cannot be read.
 std::vector<std::string> files_beside(const std::string& file);
 
-enum class Format : std::uint8_t { obj, ply, stl, vtk, off, msh, gltf, npy, hdf5, pc2, mdd };
+enum class Format : std::uint8_t { obj, ply, stl, vtk, vtk_xml, off, msh, gltf, npy, hdf5, pc2, mdd };
 
 /// The format that the ending of the name says, in upper or lower case; nothing for other endings.
 std::optional<Format> known_format_of(const std::string& file);

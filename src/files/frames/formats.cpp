@@ -32,6 +32,7 @@ MeshFile read_mesh(Format format, std::string_view file, std::string_view conten
     case Format::ply: return read_ply(file, content, triangulate);
     case Format::stl: return read_stl(file, content);
     case Format::vtk: return read_vtk(file, content, triangulate);
+    case Format::vtk_xml: return read_vtk_xml(file, content, triangulate);
     case Format::off: return read_off(file, content, triangulate);
     case Format::msh: return read_msh(file, content, triangulate);
     case Format::gltf: return read_gltf(file, content);
@@ -40,7 +41,7 @@ MeshFile read_mesh(Format format, std::string_view file, std::string_view conten
     case Format::pc2:
     case Format::mdd: break;
   }
-  io::fail(file, "is no mesh file; right are .obj, .ply, .stl, .vtk, .off, .msh, .gltf and .glb");
+  io::fail(file, "is no mesh file; right are .obj, .ply, .stl, .vtk, .vtu, .vtp, .off, .msh, .gltf and .glb");
 }
 
 Topology topology_from(const std::string& file, std::string_view content, const ArrayShape& shape, bool triangulate) {

@@ -18,6 +18,7 @@ MeshFile read_obj(std::string_view file, std::string_view content, bool triangul
 MeshFile read_ply(std::string_view file, std::string_view content, bool triangulate);
 MeshFile read_stl(std::string_view file, std::string_view content);
 MeshFile read_vtk(std::string_view file, std::string_view content, bool triangulate);
+MeshFile read_vtk_xml(std::string_view file, std::string_view content, bool triangulate);
 MeshFile read_off(std::string_view file, std::string_view content, bool triangulate);
 MeshFile read_msh(std::string_view file, std::string_view content, bool triangulate);
 MeshFile read_gltf(std::string_view file, std::string_view content);

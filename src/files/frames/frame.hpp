@@ -82,7 +82,7 @@ struct ReadOptions {
 std::size_t frame_count(const std::string& file, const ReadOptions& options);
 
 /// Reads a frame. Several threads may read at the same time. The name's ending says the format: .obj, .ply, .stl, .vtk,
-/// .off, .msh, .gltf, .glb, .npy, .h5, .hdf5, .pc2 and .mdd.
+/// .vtu, .vtp, .off, .msh, .gltf, .glb, .npy, .h5, .hdf5, .pc2 and .mdd.
 /// @param file     the file
 /// @param index    which frame of it, below frame_count
 /// @param options  how it is read

@@ -19,8 +19,14 @@ class TextScanner {
   /// @param file       the name of the file, for messages
   /// @param text       its content
   /// @param continues  whether a backslash at the end of a line joins the next line to it
-  TextScanner(std::string_view file, std::string_view text, bool continues = false)
-      : file_(file), start_(text.data()), at_(text.data()), end_(text.data() + text.size()), continues_(continues) {}
+  /// @param line       the line of the file that the text begins on
+  TextScanner(std::string_view file, std::string_view text, bool continues = false, std::uint64_t line = 1)
+      : file_(file),
+        start_(text.data()),
+        at_(text.data()),
+        end_(text.data() + text.size()),
+        continues_(continues),
+        line_(line) {}
 
   std::uint64_t line() const noexcept { return line_; }                                    ///< the current line, from 1
   std::size_t offset() const noexcept { return static_cast<std::size_t>(at_ - start_); }   ///< bytes before the cursor
@@ -177,7 +183,7 @@ class TextScanner {
   const char* word_ = nullptr;
   const char* end_;
   bool continues_;
-  std::uint64_t line_ = 1;
+  std::uint64_t line_;
 };
 
 /// Whether both are the same but for the case of ASCII letters.

@@ -124,7 +124,7 @@ def as_mesh(thing: Any) -> MeshFile:
 
 
 def read_mesh(path: Union[str, os.PathLike[str]], *, triangulate: bool = False, between_parts: bool = False) -> MeshFile:
-    """The mesh of a file in one of the program's formats: .obj, .ply, .stl, .vtk, .off, .msh, .gltf or
+    """The mesh of a file in one of the program's formats: .obj, .ply, .stl, .vtk, .vtu, .vtp, .off, .msh, .gltf or
     .glb.
 
     path           the file; its ending says the format. Coordinates are read without loss, decimals as the nearest
