@@ -19,9 +19,10 @@ using frames::Format;
 
 constexpr frames::ArrayShape kShape{1, 6, 3};
 
-// The numbers of formats in files of the corpus, which stay as they are.
-constexpr Format kFormats[] = {Format::obj, Format::ply, Format::stl, Format::vtk,
-                               Format::npy, Format::off, Format::msh, Format::gltf};
+// The numbers of formats in files of the corpus, which stay as they are. The first byte of an input says the format, and
+// whether polygons are cut into triangles.
+constexpr Format kFormats[] = {Format::obj, Format::ply, Format::stl,  Format::vtk,    Format::npy,
+                               Format::off, Format::msh, Format::gltf, Format::vtk_xml};
 
 template <class Elements>
 void check_indices(const Elements& elements, std::size_t vertices) {

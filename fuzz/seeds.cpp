@@ -120,6 +120,32 @@ std::vector<std::string> mesh_file_seeds() {
   const auto bytes = [](std::size_t number) {
     return std::string{static_cast<char>(number & 255), static_cast<char>(number >> 8), '\0', '\0'};
   };
+  const auto array = [](const std::string& attributes, const std::string& values) {
+    return "<DataArray type=\"" + attributes + "\">" + values + "</DataArray>";
+  };
+  const std::string vtu = "VTKFile type=\"UnstructuredGrid\"";
+  const std::string piece = "><UnstructuredGrid><Piece NumberOfPoints=\"4\" NumberOfCells=\"2\"><Points>";
+  const std::string grid = "<" + vtu + piece + array("Float64\" NumberOfComponents=\"3", "0 0 0 1 0 0 0 1 0 0 0 1") +
+                           "</Points><Cells>" + array("Int32\" Name=\"connectivity", "0 1 2 3\n0 1") +
+                           array("Int8\" Name=\"offsets", "4 6") + array("UInt8\" Name=\"types", "10 3") +
+                           "</Cells></Piece></UnstructuredGrid></VTKFile>";
+  // The same in base64, compressed by zlib.
+  const std::string compressed =
+      "<" + vtu + " byte_order=\"LittleEndian\" compressor=\"vtkZLibDataCompressor\"" + piece +
+      array("Float32\" format=\"binary\" NumberOfComponents=\"3", "AQAAAACAAAAwAAAAEAAAAA==eJxjYEAGDfYMBPgAJ70CPg==") +
+      "</Points><Cells>" +
+      array("Int8\" format=\"binary\" Name=\"connectivity", "AQAAAACAAAAGAAAADgAAAA==eJxjYGRiZmAEAAAdAAg=") +
+      array("Int8\" format=\"binary\" Name=\"offsets", "AQAAAACAAAACAAAACgAAAA==eJxjYQMAABAACw==") +
+      array("UInt8\" format=\"binary\" Name=\"types", "AQAAAACAAAACAAAACgAAAA==eJzjYgYAABkADg==") +
+      "</Cells></Piece></UnstructuredGrid></VTKFile>";
+  const std::string poly =
+      "<VTKFile type=\"PolyData\" byte_order=\"BigEndian\"><PolyData><Piece NumberOfPoints=\"2\" NumberOfLines=\"1\">"
+      "<Points>" +
+      array("Float32\" format=\"appended\" offset=\"0\" NumberOfComponents=\"3", "") + "</Points><Lines>" +
+      array("Int8\" format=\"appended\" offset=\"28\" Name=\"connectivity", "") +
+      array("Int8\" format=\"appended\" offset=\"34\" Name=\"offsets", "") +
+      "</Lines></Piece></PolyData><AppendedData encoding=\"raw\">_" + std::string("\0\0\0\x18", 4) +
+      std::string(24, '\1') + std::string("\0\0\0\2\0\1\0\0\0\1\2", 11) + "</AppendedData></VTKFile>";
   return {
       "\1v 0 0 0\nv 1 0 .5\nv 0x1p-3 1 0 1\nv 1 1 1 1 0 0\ng a b\nf 1/1/1 2//2 3/3\no c\nf -4 -3 -2 -1\nl 1 2 4\np 4\n",
       "\2ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\nelement face "
@@ -141,6 +167,9 @@ std::vector<std::string> mesh_file_seeds() {
       "$Elements\n2\n1 4 2 1 1 1 2 3 4\n2 1 0 1 2\n$EndElements\n",
       "\14$MeshFormat\n4.1 0 8\n$EndMeshFormat\n$Nodes\n1 3 1 3\n2 1 0 3\n1\n2\n3\n0 0 0\n1 0 0\n0 1 0\n"
       "$EndNodes\n$Elements\n1 1 1 1\n2 1 2 1\n1 1 2 3\n$EndElements\n",
+      "\20" + grid,
+      "\21" + compressed,
+      "\20" + poly,
       "\16" + gltf,
       std::string("\16glTF\2\0\0\0", 9) + bytes(20 + gltf.size()) + bytes(gltf.size()) + "JSON" + gltf,
       std::string("\10\x93NUMPY\1\0\73\0", 11) + "{'descr': '|u1', 'fortran_order': False, 'shape': (1, 3), }" +
