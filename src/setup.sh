@@ -48,6 +48,7 @@ readonly -a touchstone_test_tools=(
   'gappa|gappa|gappa|gappa| '  # Arch Linux has no package of it
   'pytest|pytest-3 pytest py.test-3|python3-pytest|python3-pytest|python-pytest'
   'pip|pip3 pip|python3-pip python3-setuptools python3-wheel|python3-pip python3-setuptools python3-wheel|python-pip python-setuptools python-wheel'
+  'meshio|meshio|python3-meshio|python3-meshio| '  # Arch Linux has it in the AUR alone
   'dask|dask-scheduler|python3-distributed|python3-distributed|python-distributed'
   'dpkg-dev|dpkg-shlibdeps|dpkg-dev|dpkg-dev|dpkg'
   'file|file|file|file|file'

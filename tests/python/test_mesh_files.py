@@ -96,3 +96,52 @@ def test_a_vtu_file_of_meshio_has_the_same_mesh(tmp_path, style, real):
     assert np.array_equal(positions, np.asarray(written, dtype=np.float64))
     assert np.array_equal(mesh.faces, np.concatenate(corners)) and mesh.points.tolist() == [3990, 3999]
     assert {tuple(sorted(edge)) for edge in edges.tolist()} <= {tuple(sorted(edge)) for edge in mesh.edges.tolist()}
+
+
+def vtk_files(folder, data, writer, suffix):
+    """What VTK writes in each style, but for compressors that are not read."""
+    for mode in ("Ascii", "Binary", "Appended"):
+        for zlib in (False, True):
+            for big in (False, True):
+                for wide in (False, True):
+                    for base64 in (False, True):
+                        write = writer()
+                        write.SetInputData(data)
+                        getattr(write, f"SetDataModeTo{mode}")()
+                        getattr(write, f"SetCompressorTypeTo{'ZLib' if zlib else 'None'}")()
+                        getattr(write, f"SetByteOrderTo{'Big' if big else 'Little'}Endian")()
+                        getattr(write, f"SetHeaderTypeToUInt{64 if wide else 32}")()
+                        write.SetEncodeAppendedData(base64)
+                        write.SetBlockSize(4096)
+                        path = folder / f"{mode}-{zlib}-{big}-{wide}-{base64}{suffix}"
+                        write.SetFileName(str(path))
+                        assert write.Write() == 1
+                        yield mode, path
+
+
+@pytest.mark.parametrize("suffix", [".vtu", ".vtp"])
+def test_every_style_of_vtk_has_the_same_mesh(tmp_path, suffix):
+    reason = "VTK is not there (Debian: python3-vtk9)"
+    core = pytest.importorskip("vtkmodules.vtkCommonCore", reason=reason)
+    model = pytest.importorskip("vtkmodules.vtkCommonDataModel", reason=reason)
+    output = pytest.importorskip("vtkmodules.vtkIOXML", reason=reason)
+    random = np.random.default_rng(6)
+    x = random.standard_normal((3000, 3)) * 2.0 ** random.integers(-30, 30, (3000, 1))
+    points = core.vtkPoints()
+    points.SetDataTypeToDouble()
+    for row in x:
+        points.InsertNextPoint(row)
+    faces = random.permutation(2900)[:2700].reshape(-1, 3)
+    edges = random.permutation(2900)[:600].reshape(-1, 2)
+    data = model.vtkPolyData() if suffix == ".vtp" else model.vtkUnstructuredGrid()
+    data.SetPoints(points)
+    data.Allocate(2000)
+    for kind, cells in ((1, [[2990], [2999]]), (3, edges.tolist()), (5, faces.tolist())):
+        for cell in cells:
+            data.InsertNextCell(kind, len(cell), cell)
+    writer = output.vtkXMLPolyDataWriter if suffix == ".vtp" else output.vtkXMLUnstructuredGridWriter
+    for mode, path in vtk_files(tmp_path, data, writer, suffix):
+        mesh, positions, _, _ = ts.read_mesh(path)
+        assert np.array_equal(positions, x), path.name
+        assert np.array_equal(mesh.faces, faces) and mesh.points.tolist() == [2990, 2999], path.name
+        assert {tuple(sorted(edge)) for edge in edges.tolist()} <= {tuple(sorted(edge)) for edge in mesh.edges.tolist()}
