@@ -289,7 +289,9 @@ std::vector<Fault> gltf_faults() {
   add("\"byteLength\":72", "\"byteLength\":72,\"byteStride\":8", "its stride is none");
   add("\"byteLength\":108", "\"byteLength\":109", "must have 109 bytes, and has 108");
   add(";base64,", ";base65,", "must be data:...;base64");
-  add(";base64,", ";base64,?", "must be data:...;base64");
+  for (const char* const junk : {"?", "A", " AAA", "AA==", "\\n"}) {
+    add(";base64,", std::string(";base64,") + junk, "must be data:...;base64");
+  }
   add("data:application", "http:application", "must be the name of a file beside");
   add("data:application", "../x", "must be the name of a file beside");
   add("\"buffers\"", "\"buffer\"", "bufferViews[0].buffer: is an index into a list without items");

@@ -79,7 +79,10 @@ TEST_CASE("the ending of a name says the format in either case") {
   const TemporaryFolder folder;
   CHECK(read(folder, "A.OBJ", obj_of("")).topology->vertex_count == 4);
   for (const char* const name : {"mesh.txt", "obj", "x.obj.gz", ""}) {
-    CHECK_THROWS_AS(read_frame(name, 0, {}), FileError);
+    CHECK_THROWS_WITH(read_frame(name, 0, {}), Catch::Contains("meshio convert a.x a.ply"));
+  }
+  for (const char* const name : {"a.abc", "a.USDC", "a.b.fbx"}) {
+    CHECK_THROWS_WITH(read_frame(name, 0, {}), Catch::Contains("Blender writes its frames as .obj files"));
   }
 }
 

@@ -9,6 +9,14 @@
 
 namespace touchstone::frames {
 
+namespace {
+
+bool ends_with(std::string_view name, std::string_view ending) {
+  return name.size() >= ending.size() && equal_but_for_case(name.substr(name.size() - ending.size()), ending);
+}
+
+}  // namespace
+
 io::WholeFile read_content(const std::string& file, io::InputFile::Checkpoint checkpoint) {
   io::FileLimits limits = kMeshLimits;
   if (format_of(file) != Format::obj) limits.line = 0;  // bytes, or a list of numbers on one line
@@ -31,17 +39,20 @@ std::optional<Format> known_format_of(const std::string& file) {
                                                                              {".hdf5", Format::hdf5},
                                                                              {".pc2", Format::pc2},
                                                                              {".mdd", Format::mdd}}};
-  const std::string_view name = file;
   for (const auto& [ending, format] : kEndings) {
-    if (name.size() >= ending.size() && equal_but_for_case(name.substr(name.size() - ending.size()), ending)) {
-      return format;
-    }
+    if (ends_with(file, ending)) return format;
   }
   return std::nullopt;
 }
 
 Format format_of(const std::string& file) {
   if (const auto format = known_format_of(file)) return *format;
+  for (const std::string_view ending : {".abc", ".blend", ".dae", ".fbx", ".usd", ".usda", ".usdc", ".usdz"}) {
+    if (!ends_with(file, ending)) continue;
+    io::fail(file,
+             "is a file of an animation program, which is not read; Blender writes its frames as .obj files (File > "
+             "Export > Wavefront, with Animation)");
+  }
   io::fail(file,
            "has an ending that is not known; right are .obj, .ply, .stl, .vtk, .vtu, .vtp, .off, .msh, .gltf, .glb, "
            ".npy, .h5, .hdf5, .pc2 and .mdd; meshio, a program of its own, makes one of another: meshio convert a.x "
