@@ -199,7 +199,7 @@ TEST_CASE("each fault of a VTK XML file is an error with its line and reason") {
       {"3 6<", "3 7<", "a DataArray"},
       {"3 6<", "3 5<", ":2: '4' after the last value"},
       {"3 6<", "3.0 6<", "'3.0' is no integer"},
-      {"3 6<", "3 99999999999999<", "the last offset is 99999999999999"},
+      {"3 6<", "3 99999999999999<", ":1: has more than 4"},
       {"2 3 4<", "2 3 5<", "vertex 5 does not exist: the vertices have the numbers 0 to 4"},
       {"2 3 4<", "2 3 -1<", "vertex -1 does not exist"},
       {"5 5<", "5 3<", "cell 1 of type 3 has 3 corners; right are 2"},
@@ -323,6 +323,8 @@ TEST_CASE("compressed values of a VTK XML file are exactly as long as they say")
   CHECK_THAT(fault_of(file(header({1, 24, 0, longer.size()}) + longer)), Catch::Contains(broken));
   CHECK_THAT(fault_of(file(header({1, 24000000, 0, block.size()}) + block, 1000000)),
              Catch::Contains("is too short for the 24000000 bytes"));
+  CHECK_THAT(fault_of(file(header({1, 120000000, 0, block.size()}) + block, 5000000)),
+             Catch::Contains("vertices, cells and corners, too many for a file of this size"));
   CHECK_THAT(fault_of(replaced(file(header({1, 24, 0, block.size()}) + block), "ZLib", "LZ4")),
              Catch::Contains("has the compressor 'vtkLZ4DataCompressor', which is not read"));
 }

@@ -15,6 +15,10 @@ namespace touchstone::frames {
 /// of millions of corners.
 inline constexpr io::FileLimits kMeshLimits{std::uint64_t{1} << 36, std::uint64_t{1} << 30, std::uint64_t{1} << 26};
 
+/// Where nodes show one mesh, or values are compressed, a short file may stand for any number of vertices and corners. It
+/// may have so many if it has so many bytes.
+constexpr std::size_t most_items(std::size_t bytes) noexcept { return (std::size_t{1} << 22) + 16 * bytes; }
+
 /// Reads a file, pipe or device whose name tells its format until its end.
 /// @throws FileError  where it cannot be read, and where it exceeds kMeshLimits; other formats than OBJ have no limit
 ///                    of the length of a line

@@ -24,11 +24,6 @@ namespace {
 
 using json::JsonNode;
 
-// One mesh may be in any number of nodes, so that a short file may stand for any number of vertices and corners: these,
-// and so many for each byte of the file and its buffers.
-constexpr std::size_t kMostRepeated = std::size_t{1} << 22;
-constexpr std::size_t kMostOfByte = 16;
-
 enum class Mode : std::uint8_t { points, lines, line_loop, line_strip, triangles, triangle_strip, triangle_fan };
 
 class GltfReader {
@@ -247,7 +242,7 @@ class GltfReader {
     }
   }
 
-  std::size_t most() const noexcept { return kMostRepeated + kMostOfByte * (bytes_ + buffers_->bytes()); }
+  std::size_t most() const noexcept { return most_items(bytes_ + buffers_->bytes()); }
 
   static constexpr std::uint32_t kJsonChunk = 0x4E4F534A, kBinaryChunk = 0x004E4942;
 
