@@ -22,7 +22,6 @@ using Direction = geometry::Vector<Form>;
 using Corners = std::array<Direction, 4>;
 
 Direction operator*(const Form& factor, const Direction& v) { return {{factor * v[0], factor * v[1], factor * v[2]}}; }
-Direction negative(const Direction& v) { return {{-v[0], -v[1], -v[2]}}; }
 
 Corners corners_of(const CurvedQuery& query) { return moving_corners<AnyDegree>(query).corners; }
 template <class Q>
@@ -80,7 +79,7 @@ Direction between_closest_points(const Corners& x, const Answer& answer, Kind ki
   if (parallel || (a.count == 2 && b.count == 1)) return across(x[a.corners[1]] - x[a.corners[0]], r);
   const Plane plane = plane_of(kind, x);
   const int side = at.sign(plane.coplanarity);
-  return side > 0 ? plane.n : side < 0 ? negative(plane.n) : Direction();
+  return side > 0 ? plane.n : side < 0 ? -plane.n : Direction();
 }
 
 /// The unit vector along v at the root; nothing where v = 0. The largest coordinate m and the quotients v_k / v_m, each
@@ -122,7 +121,7 @@ std::optional<std::array<double, 3>> normal_of(const Q& query, double t_max, con
   const RealRoot& time = times.front().first;
   const Plane plane = plane_of(query.kind, x);
   const bool turned = !plane.coplanarity.is_zero() && Moment::just_before(time).sign(plane.coplanarity) < 0;
-  return unit_vector(turned ? negative(plane.n) : plane.n, time);
+  return unit_vector(turned ? -plane.n : plane.n, time);
 }
 
 /// The closest points of two features, at the times when they have some: a direction between them, and the weight of
@@ -168,13 +167,28 @@ Closest closest_points(const Corners& x, const Answer& answer, Kind kind) {
   return closest;
 }
 
+/// By each corner the gradient of what is 0 or the separation's at the contact: V, or half the squared distance, times
+/// one positive number.
+std::array<Direction, 4> gradient_by_corners(const Corners& x, const Answer& answer, Kind kind, bool apart) {
+  if (!apart) {
+    const auto frame = geometry::frame_of(kind, [&x](std::size_t c, std::size_t d) { return x[c] - x[d]; });
+    const auto& [u, w, r] = frame;
+    return geometry::gradient_by_corners<Direction>(
+        kind, {geometry::cross(w, r), geometry::cross(r, u), geometry::normal(frame)});
+  }
+  const auto [direction, weights] = closest_points(x, answer, kind);
+  std::array<Direction, 4> gradient;
+  for (std::size_t i = 0; i < corner_count(kind); ++i) gradient[i] = weights[i] * direction;
+  return gradient;
+}
+
 bool is_inside(const Answer& answer, Kind kind) {
   return kind == Kind::edge_edge ? answer.feature_a == Feature::a && answer.feature_b == Feature::b
                                  : kind == Kind::vertex_face && answer.feature_b == Feature::f;
 }
 
 template <class Q>
-std::optional<EndGradients> gradient_of(const Q& query, double t_max, const Separation& separation) {
+std::optional<geometry::EndGradients> gradient_of(const Q& query, double t_max, const Separation& separation) {
   std::optional<RealRoot> time;
   Answer answer;
   if (separation.distance > 0) {
@@ -190,24 +204,24 @@ std::optional<EndGradients> gradient_of(const Q& query, double t_max, const Sepa
 
   const ScaledCorners scaled = scaled_corners(query);
   const Corners x = corners_of(query);
-  const auto [direction, weights] = closest_points(x, answer, query.kind);
+  const auto by_corners = gradient_by_corners(x, answer, query.kind, separation.distance > 0);
   const std::size_t count = corner_count(query.kind);
   Form speed;
   for (std::size_t i = 0; i < count; ++i) {
     for (std::size_t k = 0; k < 3; ++k) {
-      speed = speed + weights[i] * direction[k] * Form(x[i][k].size() > 1 ? x[i][k][1] : Exact(0));
+      speed = speed + by_corners[i][k] * Form(x[i][k].size() > 1 ? x[i][k][1] : Exact(0));
     }
   }
   const Moment at = Moment::at(*time);
   if (speed.is_zero() || at.sign(speed) == 0) return std::nullopt;  // where edges overlap, the direction is 0
-  EndGradients gradient{};
+  geometry::EndGradients gradient{};
   // The coordinates are multiplied by the factor here, and so are derivatives by them divided by it.
   const Form fraction_at_end(Exact(0), scaled.factor), fraction_at_start(scaled.factor, -scaled.factor);
   const auto ratio = [&](const Form& p) { return p.is_zero() || at.sign(p) == 0 ? 0 : time->ratio(p, speed); };
   for (std::size_t i = 0; i < count; ++i) {
     std::array<double, 3> start, end;
     for (std::size_t k = 0; k < 3; ++k) {
-      const Form numerator = -(weights[i] * direction[k]);
+      const Form numerator = -by_corners[i][k];
       start[k] = ratio(numerator * fraction_at_start);
       end[k] = ratio(numerator * fraction_at_end);
     }
@@ -219,10 +233,11 @@ std::optional<EndGradients> gradient_of(const Q& query, double t_max, const Sepa
 
 }  // namespace
 
-std::optional<EndGradients> toi_gradient(const Query& query, double t_max, const Separation& separation) {
+std::optional<geometry::EndGradients> toi_gradient(const Query& query, double t_max, const Separation& separation) {
   return gradient_of(query, t_max, separation);
 }
-std::optional<EndGradients> toi_gradient(const RationalQuery& query, double t_max, const Separation& separation) {
+std::optional<geometry::EndGradients> toi_gradient(const RationalQuery& query, double t_max,
+                                                   const Separation& separation) {
   return gradient_of(query, t_max, separation);
 }
 

@@ -14,6 +14,8 @@
 #include <touchstone/query.hpp>
 #include <touchstone/separation.hpp>
 
+#include "geometry/end_gradients.hpp"
+
 namespace touchstone::exact {
 
 /// The first contact in [0, t_max]; level is Level::exact. The query must be valid (finite, t_max in [0, 1],
@@ -64,9 +66,9 @@ std::optional<std::array<double, 3>> contact_normal(const CurvedQuery& query, do
 
 /// The derivatives of the first contact's time by the corners at both ends, as touchstone/toi_gradient.hpp defines them,
 /// for a Euclidean separation >= 0; nothing where there are none.
-using EndGradients = std::array<std::array<Vec3, 4>, 2>;
-std::optional<EndGradients> toi_gradient(const Query& query, double t_max, const Separation& separation);
-std::optional<EndGradients> toi_gradient(const RationalQuery& query, double t_max, const Separation& separation);
+std::optional<geometry::EndGradients> toi_gradient(const Query& query, double t_max, const Separation& separation);
+std::optional<geometry::EndGradients> toi_gradient(const RationalQuery& query, double t_max,
+                                                   const Separation& separation);
 
 /// V(t) within a relative error of 2^-50 and with its exact sign, for edge-edge and vertex-face queries and
 /// 0 <= t <= 1. A value that underflows is the least double of its sign; one that overflows is infinite.

@@ -6,6 +6,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
 #include <cstddef>
 
 #include <touchstone/query.hpp>
@@ -44,6 +45,13 @@ TOUCHSTONE_INLINE auto normal(const Frame<V>& f) {
 template <class V>
 TOUCHSTONE_INLINE auto coplanarity(const Frame<V>& f) {
   return dot(normal(f), f.r);
+}
+
+/// The gradient of V by each corner, from those by u, w and r: w x r, r x u and n.
+template <class V>
+TOUCHSTONE_INLINE std::array<V, 4> gradient_by_corners(Kind kind, const Frame<V>& by) {
+  if (kind == Kind::edge_edge) return {-(by.u + by.r), by.u, by.r - by.w, by.w};
+  return {by.r, -(by.u + by.w + by.r), by.u, by.w};
 }
 
 /// The numerator of the first fraction or weight along an axis: (r x w)_k. The denominator is n_k.

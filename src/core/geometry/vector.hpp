@@ -16,6 +16,14 @@ struct Vector {
 };
 
 template <class N>
+Vector<N> operator-(const Vector<N>& a) {
+  return {{-a[0], -a[1], -a[2]}};
+}
+template <class N>
+Vector<N> operator+(const Vector<N>& a, const Vector<N>& b) {
+  return {{a[0] + b[0], a[1] + b[1], a[2] + b[2]}};
+}
+template <class N>
 Vector<N> operator-(const Vector<N>& a, const Vector<N>& b) {
   return {{a[0] - b[0], a[1] - b[1], a[2] - b[2]}};
 }
