@@ -63,8 +63,13 @@ template <class N>
   return two_sum(a.high, a.low);
 }
 
-// The four operators below do not normalise. Low parts grow by a few units in the last place; the callers' bounds allow
+// The operators below do not normalise. Low parts grow by a few units in the last place; the callers' bounds allow
 // for that.
+
+template <class N>
+[[gnu::always_inline]] inline DoubleDoubleOf<N> operator-(const DoubleDoubleOf<N>& a) noexcept {
+  return {-a.high, -a.low};
+}
 
 template <class N>
 [[gnu::always_inline]] inline DoubleDoubleOf<N> operator+(const DoubleDoubleOf<N>& a,
