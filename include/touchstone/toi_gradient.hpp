@@ -25,8 +25,10 @@ struct ToiGradient {
   std::array<Vec3, 4> end{};  ///< the same at t = 1
 };
 
-/// The gradient of the first contact's time in [0, t_max]. Exact arithmetic computes it, in some tenths of a
-/// millisecond for coordinates of ordinary size.
+/// The gradient of the first contact's time in [0, t_max]. For coordinates of ordinary size it mostly takes less than
+/// twice as long as `solve`, in double-doubles with proven bounds. Where they do not tell each derivative, exact
+/// arithmetic does, in some tenths of a millisecond: near a border or a grazing contact, very near to t = 0, and for
+/// extreme sizes.
 ///
 /// At the time T let n be the contact's normal, w_i the weight of corner i in the contact, negative on the first
 /// element, and v_i = x1_i - x0_i. Then dT/dx0_i = -(1 - T) w_i n / s and dT/dx1_i = -T w_i n / s, for s the sum of

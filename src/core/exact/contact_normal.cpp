@@ -1,6 +1,5 @@
 // The unit normal at the first contact, and how the contact's time changes with the corners, from polynomials in t.
 // SPDX-License-Identifier: MIT
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -11,8 +10,8 @@
 #include "exact/distance_level.hpp"
 #include "exact/exact.hpp"
 #include "exact/exact_times.hpp"
+#include "geometry/closest_points.hpp"
 #include "geometry/frame.hpp"
-#include "geometry/kind_traits.hpp"
 #include "numbers/integers/limb_scratch.hpp"
 
 namespace touchstone::exact {
@@ -21,8 +20,6 @@ namespace {
 using Direction = geometry::Vector<Form>;
 using Corners = std::array<Direction, 4>;
 
-Direction operator*(const Form& factor, const Direction& v) { return {{factor * v[0], factor * v[1], factor * v[2]}}; }
-
 Corners corners_of(const CurvedQuery& query) { return moving_corners<AnyDegree>(query).corners; }
 template <class Q>
 Corners corners_of(const Q& query) {
@@ -30,24 +27,6 @@ Corners corners_of(const Q& query) {
   Corners corners;
   for (std::size_t i = 0; i < corner_count(query.kind); ++i) corners[i] = form_of(scaled.corners[i]);
   return corners;
-}
-
-/// A feature's corners: one, two or, for a face, three. An overlap counts as the whole edge.
-struct FeatureCorners {
-  std::array<std::size_t, 3> corners;
-  std::size_t count;
-};
-
-/// @param first  the number of the element's first corner
-FeatureCorners corners_of(Feature feature, const geometry::Element& element, std::size_t first) {
-  constexpr std::size_t kWholeEdge = 3;
-  const auto found = std::find(element.features.begin(), element.features.end(), feature) - element.features.begin();
-  const std::size_t set = feature == Feature::overlap ? kWholeEdge : static_cast<std::size_t>(found);
-  FeatureCorners found_corners{};
-  for (std::size_t i = 0; i < element.corners(); ++i) {
-    if ((set >> i & 1) != 0) found_corners.corners[found_corners.count++] = first + i;
-  }
-  return found_corners;
 }
 
 /// The normal of two edges, or of a face, and its product with what leads from the first element to the second.
@@ -63,20 +42,15 @@ Plane plane_of(Kind kind, const Corners& x) {
   return {n, kind == Kind::edge_edge ? v : -v};
 }
 
-/// r less its part along e, times |e|^2.
-Direction across(const Direction& e, const Direction& r) { return geometry::dot(e, e) * r - geometry::dot(r, e) * e; }
-
 /// What leads from the closest point of the first element to that of the second, times a positive number or zero. `at`
 /// is the time of a contact with these features.
 Direction between_closest_points(const Corners& x, const Answer& answer, Kind kind, const Moment& at) {
-  const auto& [first, second] = geometry::traits_of(kind);
-  const FeatureCorners a = corners_of(answer.feature_a, first, 0);
-  const FeatureCorners b = corners_of(answer.feature_b, second, first.corners());
+  const auto [a, b] = geometry::corners_of(kind, answer.feature_a, answer.feature_b);
   const Direction r = x[b.corners[0]] - x[a.corners[0]];
   const bool parallel = answer.feature_a == Feature::overlap;
   if (a.count == 1 && b.count == 1) return r;
-  if (a.count == 1 && b.count == 2) return across(x[b.corners[1]] - x[b.corners[0]], r);
-  if (parallel || (a.count == 2 && b.count == 1)) return across(x[a.corners[1]] - x[a.corners[0]], r);
+  if (a.count == 1 && b.count == 2) return geometry::across(x[b.corners[1]] - x[b.corners[0]], r);
+  if (parallel || (a.count == 2 && b.count == 1)) return geometry::across(x[a.corners[1]] - x[a.corners[0]], r);
   const Plane plane = plane_of(kind, x);
   const int side = at.sign(plane.coplanarity);
   return side > 0 ? plane.n : side < 0 ? -plane.n : Direction();
@@ -124,59 +98,18 @@ std::optional<std::array<double, 3>> normal_of(const Q& query, double t_max, con
   return unit_vector(turned ? -plane.n : plane.n, time);
 }
 
-/// The closest points of two features, at the times when they have some: a direction between them, and the weight of
-/// each corner in its point times one positive number, negated on the first element.
-struct Closest {
-  Direction direction;
-  std::array<Form, 4> weights;
-};
-
-Closest closest_points(const Corners& x, const Answer& answer, Kind kind) {
-  const auto& [first, second] = geometry::traits_of(kind);
-  const FeatureCorners a = corners_of(answer.feature_a, first, 0);
-  const FeatureCorners b = corners_of(answer.feature_b, second, first.corners());
-  const auto& i = a.corners;
-  const auto& j = b.corners;
-  Closest closest;
-  auto& weights = closest.weights;
-  if (a.count == 1 && b.count == 1) {
-    closest.direction = x[j[0]] - x[i[0]];
-    weights[i[0]] = Form(Exact(-1));
-    weights[j[0]] = Form(Exact(1));
-  } else if (a.count + b.count == 3) {  // a corner and an edge
-    const auto [corner, start, end] = a.count == 1 ? std::array{i[0], j[0], j[1]} : std::array{j[0], i[0], i[1]};
-    const Direction e = x[end] - x[start], r = x[corner] - x[start];
-    closest.direction = across(e, r);
-    const Form all = geometry::dot(e, e), along = geometry::dot(r, e);
-    weights[corner] = all;
-    weights[end] = -along;
-    weights[start] = along - all;
-  } else {
-    const auto frame = geometry::frame_of(kind, [&x](std::size_t c, std::size_t d) { return x[c] - x[d]; });
-    const Direction n = geometry::normal(frame);
-    closest.direction = n;
-    const auto along_normal = [&n](const auto& numerator) {
-      return n[0] * numerator(0) + n[1] * numerator(1) + n[2] * numerator(2);
-    };
-    const Form all = geometry::dot(n, n);
-    const Form one = along_normal([&](std::size_t k) { return geometry::first_numerator(frame, k); });
-    const Form other = along_normal([&](std::size_t k) { return geometry::second_numerator(kind, frame, k); });
-    weights = kind == Kind::edge_edge ? std::array{one - all, -one, all - other, other}
-                                      : std::array{-all, all - one - other, one, other};
-  }
-  return closest;
-}
-
 /// By each corner the gradient of what is 0 or the separation's at the contact: V, or half the squared distance, times
 /// one positive number.
 std::array<Direction, 4> gradient_by_corners(const Corners& x, const Answer& answer, Kind kind, bool apart) {
+  const auto difference = [&x](std::size_t i, std::size_t j) { return x[i] - x[j]; };
   if (!apart) {
-    const auto frame = geometry::frame_of(kind, [&x](std::size_t c, std::size_t d) { return x[c] - x[d]; });
+    const auto frame = geometry::frame_of(kind, difference);
     const auto& [u, w, r] = frame;
     return geometry::gradient_by_corners<Direction>(
         kind, {geometry::cross(w, r), geometry::cross(r, u), geometry::normal(frame)});
   }
-  const auto [direction, weights] = closest_points(x, answer, kind);
+  const auto [direction, weights] =
+      geometry::closest_points(kind, answer.feature_a, answer.feature_b, Form(Exact(1)), difference);
   std::array<Direction, 4> gradient;
   for (std::size_t i = 0; i < corner_count(kind); ++i) gradient[i] = weights[i] * direction;
   return gradient;

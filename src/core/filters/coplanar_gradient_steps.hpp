@@ -9,28 +9,29 @@
 // Errors. Let e = 2^-53, and U be the bounds on the coordinates of u over the step, one along each axis; likewise W and
 // R, and D_u, D_w, D_r of the velocities, where D_u <= 2 U. Of a cross product, as of w and r, M is the vector of
 // bounds, W_i R_j + W_j R_i along the third axis. Its slope has the bounds M' = D_w i R_j + W_i D_r j + ...; half its
-// second derivative D_w i D_r j + D_w j D_r i, at most M'. P = R . M for n = u x w bounds V. P' is the sum of D_u . M for
-// w x r, D_w . M for r x u and D_r . M for n: it bounds V'. The same sum with M' is at most 4 P', and it bounds V''.
-//   A coordinate: 8 e^2 U (see contact_values.hpp). A product of two: 24 e^2, low term 3 e. A cross product: the
-//   difference of two products, 31 e^2 M, low term 4 e M.
-//   V: 31 + 8 e^2 P from the operands, the products 8 e^2 P, low terms 3 e P, and two sums, 16 e^2 P: 63 e^2 P.
-//   A velocity: 6 e^2 U, low term e D. In doubles: e D more. The slope of V at t, in doubles: 5 e D M from the operands,
-//   2 e D M from a product, and 8 e of all for the sums: 15 e P' and 18 e^2 P.
+// second derivative D_w i D_r j + D_w j D_r i, at most M'. P = R . M for n = u x w bounds V. P' is the sum of D_u . M
+// for w x r, D_w . M for r x u and D_r . M for n: it bounds V'. The same sum with M' is at most 4 P', and it bounds
+// V''.
+//   A coordinate: 8 e^2 U (see contact_values.hpp). A product of two: 24 e^2, low part 3 e. A cross product: the
+//   difference of two products, 31 e^2 M, low part 4 e M.
+//   V: 31 + 8 e^2 P from the operands, the products 8 e^2 P, low parts 3 e P, and two sums, 16 e^2 P: 63 e^2 P.
+//   A velocity: 6 e^2 U, low part e D. In doubles: e D more. The slope of V at t, in doubles: 5 e D M from the
+//   operands, 2 e D M from a product, and 8 e of all for the sums: 15 e P' and 18 e^2 P.
 //   The offset of T from t, at most 2 e, is -V / S, with S the mean slope, which differs from that at t by at most 4 e
 //   P'. The quotient is off by at most (63 e^2 P + 2 e |offset slope| + |offset| (19 e P' + 18 e^2 P)) / |S|, less than
-//   (66 P + 48 P') e^2 / |slope| =: `later` where S is within a 2^-10th of the slope. Elsewhere the slope is below
-//   2^16 e P', and s below 2^17 e P'. Its error's bound below, at least 4 P' later, is then too large for it.
+//   (66 P + 48 P') e^2 / |slope| =: `later` where S is within a 2^-10th of the slope. Elsewhere the slope is below 2^16
+//   e P', and s below 2^17 e P'. Its error's bound below, at least 4 P' later, is then too large for it.
 //   A cross product at T: 31 e^2 M; its slope in doubles, 8 e M' and 12 e^2 M, times the offset; the product with the
-//   offset, 2 e^2 M'; the sum with the low term, e (4 e M + 2 e M'); the second derivative, 4 e^2 M'; and the offset's
+//   offset, 2 e^2 M'; the sum with the low part, e (4 e M + 2 e M'); the second derivative, 4 e^2 M'; and the offset's
 //   own error times M'. In all 35 e^2 M + 24 e^2 M' + later M'.
 //   Sums of them for a corner: 10 e^2 of the sum of the three M. The product with the factor, without its one rounding
 //   to a double: 22 e^2 of that sum.
 //   s: products of a velocity and a cross product, 6 e^2 U M from the one, D times its error from the other, 8 e^2 D M
-//   of their own, low term 3 e D M; 8 sums of such low terms: 96 e^2 P'. In all 18 e^2 P + 239 e^2 P' + 4 P' later.
+//   of their own, low part 3 e D M; 8 sums of such low parts: 96 e^2 P'. In all 18 e^2 P + 239 e^2 P' + 4 P' later.
 //   The factor: the offset's error, and 16 e^2 of T or 1 - T and of s.
-// The constants below have a reserve for the rounding of the bounds. With a relative 2^-58 of each, for a component, for
-// s, and for T or 1 - T, a result is within a relative 2^-56 before its rounding. Then the rounded one is the true one
-// or a double beside it, at a power of two as well.
+// The constants below have a reserve for the rounding of the bounds. With a relative 2^-58 of each, for a component,
+// for s, and for T or 1 - T, a result is within a relative 2^-56 before its rounding. Then the rounded one is the true
+// one or a double beside it, at a power of two as well.
 // SPDX-License-Identifier: MIT
 #pragma once
 
@@ -89,13 +90,6 @@ TOUCHSTONE_INLINE Precise<Coordinates> cross_later(const Precise<Coordinates>& v
   const Coordinates slope =
       cross_of_lanes(a_course.velocity.high, b.value.high) + cross_of_lanes(a.value.high, b_course.velocity.high);
   return numbers::normalised(Precise<Coordinates>{value.high, value.low + later * slope});
-}
-
-/// a / b.
-TOUCHSTONE_INLINE numbers::DoubleDouble quotient_of(const numbers::DoubleDouble& a,
-                                                    const numbers::DoubleDouble& b) noexcept {
-  const double first = a.high / b.high;
-  return numbers::normalised(numbers::DoubleDouble{first, numbers::rounded(a - first * b) / b.high});
 }
 
 /// factor v, rounded once.
@@ -162,8 +156,7 @@ inline bool gradient_at_contact(const Query& query, double toi, double toi_upper
                        (at_end || terms.time_error <= kLittle * terms.rest.high) &&
                        holds_in_all(terms.zero | (terms.error <= kLittle * least));
   if (!certain) return false;
-  const numbers::DoubleDouble by_start = -quotient_of(terms.rest, terms.speed),
-                              by_end = -quotient_of(terms.time, terms.speed);
+  const numbers::DoubleDouble by_start = -(terms.rest / terms.speed), by_end = -(terms.time / terms.speed);
   const auto to_vector = [&terms](const Coordinates& v) {
     const Coordinates x = chosen(terms.zero, in_each(v, 0), v);
     return Vec3{x.v[0], x.v[1], x.v[2]};

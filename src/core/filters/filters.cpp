@@ -55,12 +55,13 @@ Decision decide_by_filters(const Question& question, Answer& answer) {
   return now.close ? Decision() : decide_by_direction(*scaled, Test::rescaled);
 }
 
-Outcome decide_by_filters(const Query& query, const Separation& separation, double t_max, Answer& answer) {
+Outcome decide_by_filters(const Query& query, const Separation& separation, double t_max, Answer& answer,
+                          numbers::BoundedPair* time) {
   answer.level = Level::filter;
   if (boxes_apart(query, separation.distance)) return Outcome::no_contact;
   const RelativeCorners corners = relative_corners(query);
   if (separates_by(corners, between_closest_points(corners, query.kind), separation)) return Outcome::no_contact;
-  const Outcome finding = decide_entry(query, separation, t_max, answer);
+  const Outcome finding = decide_entry(query, separation, t_max, answer, time);
   if (finding != Outcome::uncertain) {
     answer.level = Level::bracket;
     return finding;

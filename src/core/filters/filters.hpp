@@ -8,6 +8,7 @@
 
 #include "filters/apart/same_side.hpp"
 #include "filters/question.hpp"
+#include "numbers/doubles/bounded.hpp"
 
 namespace touchstone::filters {
 
@@ -16,7 +17,9 @@ namespace touchstone::filters {
 /// out, unless the finding is uncertain or the question is for contact only.
 Decision decide_by_filters(const Question& question, Answer& answer);
 
-/// The same for a valid separation > 0, after clear_all_along.
-Outcome decide_by_filters(const Query& query, const Separation& separation, double t_max, Answer& answer);
+/// The same for a valid separation > 0, after clear_all_along. `time`, if not null, becomes the exact time of a contact
+/// after t = 0.
+Outcome decide_by_filters(const Query& query, const Separation& separation, double t_max, Answer& answer,
+                          numbers::BoundedPair* time = nullptr);
 
 }  // namespace touchstone::filters

@@ -28,6 +28,11 @@ Vector<N> operator-(const Vector<N>& a, const Vector<N>& b) {
   return {{a[0] - b[0], a[1] - b[1], a[2] - b[2]}};
 }
 
+template <class N>
+Vector<N> operator*(const N& factor, const Vector<N>& v) {
+  return {{factor * v[0], factor * v[1], factor * v[2]}};
+}
+
 /// Component k of a x b.
 template <class A, class B>
 auto cross_component(const Vector<A>& a, const Vector<B>& b, std::size_t k) {

@@ -9,6 +9,8 @@
 
 #include "exact/exact.hpp"
 #include "filters/coplanar_gradient.hpp"
+#include "filters/filters.hpp"
+#include "filters/separation/entry_gradient.hpp"
 #include "numbers/doubles/float_environment.hpp"
 #include "solver/cascade.hpp"
 #include "solver/validate.hpp"
@@ -38,6 +40,31 @@ std::optional<std::array<double, 3>> normal_of(const AnyQuery& query, const Sepa
   return exact::contact_normal(query, t_max, separation);
 }
 
+/// `contact`: the gradient is written. `no_contact`: there is none.
+filters::Outcome touching_gradient_in_doubles(const Query& query, double t_max, geometry::EndGradients& gradient) {
+  using filters::Outcome;
+  const Answer answer = solver::answer(query, Method::fast, t_max, Wanted::features);
+  // Elsewhere V' is 0, or a small change gives the contact to other features.
+  const bool inside = answer.feature_a == Feature::a ? answer.feature_b == Feature::b : answer.feature_b == Feature::f;
+  if (!inside || answer.nature != Nature::crossing || answer.toi_upper == 0) return Outcome::no_contact;
+  const bool known = filters::coplanar_gradient(query, answer.toi, answer.toi_upper, gradient);
+  return known ? Outcome::contact : Outcome::uncertain;
+}
+
+filters::Outcome gradient_in_doubles(const Query& query, const Separation& separation, double t_max,
+                                     geometry::EndGradients& gradient) {
+  using filters::Outcome;
+  if (separation.distance == 0) return touching_gradient_in_doubles(query, t_max, gradient);
+  if (solver::is_time(t_max) && filters::clear_all_along(query, separation)) return Outcome::no_contact;
+  solver::validate(query, t_max);
+  Answer answer;
+  numbers::BoundedPair time;
+  const Outcome found = filters::decide_by_filters(query, separation, t_max, answer, &time);
+  if (found != Outcome::contact) return found;
+  if (answer.toi_upper == 0) return Outcome::no_contact;
+  return filters::entry_gradient(query, answer, time, gradient) ? Outcome::contact : Outcome::uncertain;
+}
+
 ToiGradient gradient_of(const std::optional<geometry::EndGradients>& gradient) {
   return gradient ? ToiGradient{true, (*gradient)[0], (*gradient)[1]} : ToiGradient();
 }
@@ -62,18 +89,10 @@ ToiGradient toi_gradient(const Query& query, const Separation& separation, doubl
   const numbers::DefaultFloatEnvironment environment;
   solver::validate(separation);
   refuse_max(separation, "gradient");
-  const Answer answer = solver::answer(query, separation, Method::fast, t_max, Wanted::features);
-  if (!answer.contact || answer.toi_upper == 0) return {};
-  if (separation.distance == 0) {
-    // Elsewhere V' is 0, or a small change gives the contact to other features.
-    const bool inside =
-        answer.feature_a == Feature::a ? answer.feature_b == Feature::b : answer.feature_b == Feature::f;
-    if (!inside || answer.nature != Nature::crossing) return {};
-    geometry::EndGradients gradient;
-    if (filters::coplanar_gradient(query, answer.toi, answer.toi_upper, gradient)) {
-      return {true, gradient[0], gradient[1]};
-    }
-  }
+  geometry::EndGradients gradient;
+  const filters::Outcome found = gradient_in_doubles(query, separation, t_max, gradient);
+  if (found == filters::Outcome::no_contact) return {};
+  if (found == filters::Outcome::contact) return {true, gradient[0], gradient[1]};
   return gradient_of(exact::toi_gradient(query, t_max, separation));
 }
 

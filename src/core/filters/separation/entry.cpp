@@ -38,14 +38,16 @@ namespace {
 
 class StraightEntry {
  public:
-  StraightEntry(const Query& query, const Separation& separation, double t_max, Answer& answer) noexcept
+  StraightEntry(const Query& query, const Separation& separation, double t_max, Answer& answer,
+                BoundedPair* time) noexcept
       : kind_(query.kind),
         separation_(separation),
         t_max_(t_max),
         step_(query),
         precise_(query),
         closest_(query.kind, separation.metric, separation.distance),
-        answer_(answer) {}
+        answer_(answer),
+        time_(time) {}
 
   Outcome decide() noexcept {
     const bool is_euclidean = separation_.metric == Metric::euclidean;
@@ -206,6 +208,7 @@ class StraightEntry {
     answer_.trend = Trend::approaching;
     answer_.toi = toi;
     answer_.toi_upper = upper;
+    if (time_ != nullptr) *time_ = {numbers::two_sum(toi, later.value), later.error};
     return Outcome::contact;
   }
 
@@ -234,12 +237,14 @@ class StraightEntry {
   PreciseStep precise_;
   ClosestFeet closest_;
   Answer& answer_;
+  BoundedPair* time_;
 };
 
 }  // namespace
 
-Outcome decide_entry(const Query& query, const Separation& separation, double t_max, Answer& answer) noexcept {
-  return StraightEntry(query, separation, t_max, answer).decide();
+Outcome decide_entry(const Query& query, const Separation& separation, double t_max, Answer& answer,
+                     BoundedPair* time) noexcept {
+  return StraightEntry(query, separation, t_max, answer, time).decide();
 }
 
 }  // namespace touchstone::filters
