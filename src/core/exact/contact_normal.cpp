@@ -10,8 +10,8 @@
 #include "exact/distance_level.hpp"
 #include "exact/exact.hpp"
 #include "exact/exact_times.hpp"
-#include "geometry/closest_points.hpp"
 #include "geometry/frame.hpp"
+#include "geometry/nearest_points.hpp"
 #include "numbers/integers/limb_scratch.hpp"
 
 namespace touchstone::exact {

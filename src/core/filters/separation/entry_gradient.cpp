@@ -5,7 +5,7 @@
 #include <cmath>
 #include <cstddef>
 
-#include "geometry/closest_points.hpp"
+#include "geometry/nearest_points.hpp"
 #include "numbers/doubles/double_double.hpp"
 
 namespace touchstone::filters {
