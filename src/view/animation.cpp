@@ -97,7 +97,7 @@ std::string Animation::name(const AnimationElement& element) const {
       continue;
     }
     const std::string of = group.name.empty() ? std::string() : fmt::format(" of {}", group.name);
-    const std::uint32_t first = shape_.first_number;
+    const std::uint32_t first = group.first_number;
     if (element.sort == Sort::edge && !shape_.edges_have_numbers) {
       const auto& corners = shape_.edges[element.number];
       return fmt::format("edge {}-{}{}", corners[0] - first_vertex + first, corners[1] - first_vertex + first, of);

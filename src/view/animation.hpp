@@ -23,6 +23,7 @@ using Triple = std::array<double, 3>;
 struct AnimationGroup {
   std::string name;  ///< text, "body 2"; empty: names of elements do without
   std::uint32_t vertices = 0, edges = 0, faces = 0;
+  std::uint32_t first_number = 0;  ///< of the first vertex and the first face
 };
 
 /// Corners are numbers of vertices over all groups. The edges of faces are there, too, where they are elements.
@@ -32,7 +33,6 @@ struct AnimationShape {
   std::vector<std::array<std::uint32_t, 3>> faces;
   std::vector<std::uint32_t> points;        ///< vertices that are drawn as dots
   std::string vertex_name;                  ///< "particle"
-  std::uint32_t first_number = 0;           ///< of the first vertex and the first face of each group
   std::vector<std::uint32_t> face_numbers;  ///< of each face; empty: they are counted
   bool edges_have_numbers = true;           ///< false: edges are named by their corners
 

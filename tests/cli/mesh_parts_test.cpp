@@ -182,13 +182,12 @@ TEST_CASE("files are the parts of one scene, with the numbers and names of each"
     CHECK(bad.status == 2);
     CHECK(occurrences(bad.err, words) == 1);
   };
-  refused({"--parts", low, high}, "--parts requires --check");
   refused({"--check", "--parts", low, low}, "is given twice");
   refused({"--check", "--parts", low, folder.write("bad.obj", "v 0 0 0\nv 1 0 0\nf 1 2 2\n")},
           "bad.obj: face 1 names vertex 2 twice");
   refused({"--check", "--parts", "--topology", low, folder.write("x.npy", npy_of({text_of_three, text_of_three}, 3)),
            folder.write("y.npy", npy_of({text_of_three}, 3))},
-          "has 2 frames; a part of a scene is one mesh at rest");
+          "has 2 frames; with --check a part of a scene is one mesh at rest");
   refused({"--check", "--parts", low, flat}, "is a mesh in the plane");
 }
 

@@ -313,8 +313,8 @@ TEST_CASE("the parts of one scene in several files do not pass for its frames") 
                     ring = folder.write("ring.obj", "v 1 1 -1\nv 5 1 -1\nv 1 5 -1\nv 1 1 3\n" + faces);
   const std::string which =
       "ring.obj: the name differs from rod.obj in more than numbers. If these files are the frames of one animation, "
-      "--in-order takes them in the order given; if they are parts of one scene, --check --parts asks about them "
-      "together\n";
+      "--in-order takes them in the order given; if they are parts of one scene, --parts asks about them "
+      "together, and with --check at rest\n";
   check_refused(mesh({rod, ring}), which);
   check_refused(mesh({"--check", rod, ring}), which);
   CHECK(mesh({"--in-order", "--check", ring, rod}).out.starts_with("ring.obj: no intersection\nrod.obj: no "));

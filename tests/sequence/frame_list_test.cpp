@@ -61,7 +61,7 @@ TEST_CASE("files of other names are frames or parts, and nothing is guessed") {
   const std::string which =
       ". If these files are the frames of one animation, --in-order takes them in the order given; if they are parts "
       "of "
-      "one scene, --check --parts asks about them together";
+      "one scene, --parts asks about them together, and with --check at rest";
   for (const Gaps gaps : {Gaps::refused, Gaps::allowed}) {
     CHECK(refusal_of({"d/gear.obj", "d/shaft.obj"}, gaps) ==
           "d/shaft.obj: the name differs from gear.obj in more than numbers" + which);

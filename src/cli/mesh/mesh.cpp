@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <filesystem>
 #include <future>
 #include <memory>
@@ -14,6 +13,7 @@
 #include <touchstone/error.hpp>
 #include <touchstone/version.hpp>
 
+#include "cli/mesh/frame_source.hpp"
 #include "cli/mesh/mesh_animation.hpp"
 #include "cli/mesh/output.hpp"
 #include "cli/shared/command_line/common_options.hpp"
@@ -24,12 +24,10 @@
 #include "cli/shared/words.hpp"
 #include "frames/content.hpp"
 #include "io/fail.hpp"
-#include "io/sha256.hpp"
 #include "io/times.hpp"
 #include "sequence/checks.hpp"
 #include "sequence/element_names.hpp"
 #include "sequence/frame_list.hpp"
-#include "sequence/joined_parts.hpp"
 #include "sequence/report_json.hpp"
 
 namespace touchstone::cli {
@@ -39,63 +37,7 @@ using frames::Frame;
 using sequence::FrameName;
 using sequence::Question;
 
-/// How an array is read that has no elements.
-frames::ReadOptions array_options(const frames::ReadOptions& reading) {
-  frames::ReadOptions array;
-  array.dataset = reading.dataset;
-  array.checkpoint = reading.checkpoint;
-  return array;
-}
-
-std::vector<FrameName> frames_to_check(const MeshRunOptions& options, const frames::ReadOptions& reading) {
-  if (options.as_parts) {
-    FrameName scene;
-    scene.parts = sequence::expand_patterns(options.files);
-    sequence::refuse_repeats(scene.parts);
-    scene.file = scene.parts.front();
-    return {scene};
-  }
-  const auto gaps = options.check ? sequence::Gaps::allowed : sequence::Gaps::refused;
-  const auto files = options.in_order ? sequence::as_given(options.files)
-                                      : sequence::in_order(sequence::expand_patterns(options.files), gaps);
-  auto names = sequence::frames_of(files, reading);
-  // An animation may hold a frame or return to it, but not be one frame all the time.
-  const bool moves = std::any_of(names.begin(), names.end(), [&](const FrameName& name) {
-    return name.index > 0 || !sequence::same_file(name.file, files.front());
-  });
-  if (options.check || !moves) sequence::refuse_repeats(files);
-  if (options.check && names.empty()) throw Error("there is no frame in these files");
-  if (!options.velocity.empty()) {
-    if (names.size() != 1) {
-      throw Error(
-          fmt::format("--velocity: goes from one frame, and there are {}; without it each step goes from frame "
-                      "to frame",
-                      names.size()));
-    }
-    const auto format = frames::known_format_of(options.velocity);
-    if (format && *format < frames::Format::npy) {
-      io::fail(options.velocity, "is a mesh, whose positions are no velocities; --velocity takes an array");
-    }
-    if (const std::size_t count = frames::frame_count(options.velocity, array_options(reading)); count != 1) {
-      io::fail(options.velocity, fmt::format("has {} frames; velocities are those of one step", grouped(count)));
-    }
-    names.push_back({options.velocity});
-    names.back().shown_as = fmt::format("{} + {} {}", names.front().label(), options.dt, names.back().label());
-  }
-  if (!options.check && names.size() < 2) {
-    throw Error(fmt::format("a step needs two frames, and there {} only {}; --check asks about frames at rest",
-                            names.size() == 1 ? "is" : "are", names.size()));
-  }
-  return names;
-}
-
-void check_files(const MeshRunOptions& options, const std::vector<FrameName>& names) {
-  std::vector<std::string> inputs;
-  for (const auto& name : names) {
-    if (name.index == 0) inputs.push_back(name.file);
-    inputs.insert(inputs.end(), name.parts.begin(), name.parts.end());
-  }
-  if (!options.topology.empty()) inputs.push_back(options.topology);
+void check_files(const MeshRunOptions& options, std::vector<std::string> inputs) {
   if (options.pairs == "-") throw Error("--pairs: name a file to write");
   if (options.html == "-") throw Error("--html: name a file to write");
   if (options.json && options.report == "-")
@@ -134,7 +76,8 @@ void check_files(const MeshRunOptions& options, const std::vector<FrameName>& na
   refuse_one_file_twice(outputs);
 }
 
-sequence::Heading heading_for(const MeshRunOptions& options, const std::vector<FrameName>& names) {
+sequence::Heading heading_for(const MeshRunOptions& options, const FrameSource& source) {
+  const std::vector<FrameName>& names = source.names();
   sequence::Heading heading;
   heading.program = version();
   heading.question = options.check ? Question::rest : Question::steps;
@@ -144,6 +87,7 @@ sequence::Heading heading_for(const MeshRunOptions& options, const std::vector<F
     heading.separation.metric = Metric::euclidean;  // it has no meaning
   }
   if (!options.velocity.empty()) heading.dt = options.dt;
+  heading.scene = source.scene();
   heading.frame_count = names.size();
   std::vector<std::string> labels;
   for (const auto& name : names) labels.push_back(name.label());
@@ -156,14 +100,6 @@ sequence::Heading heading_for(const MeshRunOptions& options, const std::vector<F
                             counted(items, options.check ? "frame" : "step"), counted(items, "shard")));
   }
   return heading;
-}
-
-/// Whether the frames may be different meshes.
-bool may_differ(const MeshRunOptions& options) { return options.check && options.in_order; }
-
-/// The file that the elements of a frame come from.
-const std::string& elements_file(const MeshRunOptions& options, const FrameName& name) {
-  return options.topology.empty() ? name.file : options.topology;
 }
 
 /// The names of parts belong to one mesh.
@@ -193,10 +129,11 @@ proofs::MotionFrame motion_frame(const Frame& frame) {
 /// Checks frames one after the other.
 class Checker {
  public:
-  Checker(const MeshRunOptions& options, const std::vector<FrameName>& names, MeshOutput& output,
+  Checker(const MeshRunOptions& options, const FrameSource& source, MeshOutput& output,
           const sequence::Heading& heading, int threads, MotionProofs* proofs, MeshAnimation* animation)
       : options_(options),
-        names_(names),
+        source_(source),
+        names_(source.names()),
         output_(output),
         question_(heading.question),
         separation_(heading.separation),
@@ -222,7 +159,7 @@ class Checker {
       }
     }
     if (question_ == Question::rest && frame->topology != topology_) {
-      mesh_ = sequence::mesh_of(*frame->topology, separation_, elements_file(options_, name), parts_);
+      mesh_ = sequence::mesh_of(*frame->topology, separation_, source_.elements_file(index), parts_);
       topology_ = frame->topology;
     }
     sequence::FrameEntry entry{name.label(), frame->digest};
@@ -272,12 +209,15 @@ class Checker {
   }
 
   [[noreturn]] void refuse_changed(const FrameName& name) const {
-    io::fail(name.file, fmt::format("{} has changed since {} was written; remove that to begin again",
-                                    name.several ? fmt::format("frame {}", name.index) : "it",
-                                    io::printable(output_.finished_file())));
+    const std::string what = options_.as_parts ? name.label() + ": a file of this frame"
+                             : name.several    ? fmt::format("{}: frame {}", io::printable(name.file), name.index)
+                                               : io::printable(name.file) + ": it";
+    throw Error(fmt::format("{} has changed since {} was written; remove that to begin again", what,
+                            io::printable(output_.finished_file())));
   }
 
   const MeshRunOptions& options_;
+  const FrameSource& source_;
   const std::vector<FrameName>& names_;
   MeshOutput& output_;
   Question question_;
@@ -301,65 +241,22 @@ std::string question_for_person(Question question, const Separation& separation)
              : std::string("Is each step between neighbouring frames free of contact?");
 }
 
-std::shared_ptr<const Frame> read(const FrameName& name, const frames::ReadOptions& reading,
-                                  const std::shared_ptr<const frames::Topology>& earlier, sequence::Repairs& repairs) {
-  std::shared_ptr<Frame> frame;
-  if (name.parts.empty()) {
-    frame = std::make_shared<Frame>(frames::read_frame(name.file, name.index, reading, earlier));
-    repairs.mend(*frame, name);
-  } else {
-    std::vector<Frame> parts;
-    for (const std::string& file : name.parts) {
-      if (const std::size_t count = frames::frame_count(file, reading); count != 1) {
-        io::fail(file, fmt::format("has {} frames; a part of a scene is one mesh at rest", grouped(count)));
-      }
-      parts.push_back(frames::read_frame(file, 0, reading));
-      repairs.mend(parts.back(), {file});
-      sequence::mesh_of(*parts.back().topology, {}, file);  // its faults are those of this file
-    }
-    frame = std::make_shared<Frame>(sequence::joined_parts(name.parts, parts));
-  }
-  sequence::check_positions(*frame, name);
-  return frame;
-}
-
-/// The frame after the time dt: each coordinate is rounded once.
-std::shared_ptr<const Frame> moved(const Frame& start, const FrameName& velocities, double dt,
-                                   const frames::ReadOptions& reading, const sequence::Repairs& repairs) {
-  const Frame velocity = frames::read_frame(velocities.file, 0, array_options(reading));
-  const std::size_t vertices = start.topology->vertex_count;
-  if (velocity.topology->vertex_count != vertices || velocity.topology->dimension != start.topology->dimension) {
-    io::fail(velocities.file, fmt::format("has {} velocities of {} coordinates; the frame has {} vertices of {}",
-                                          velocity.topology->vertex_count, velocity.topology->dimension, vertices,
-                                          start.topology->dimension));
-  }
-  auto frame = std::make_shared<Frame>(start);
-  for (std::size_t i = 0; i < frame->positions.size(); ++i) {
-    frame->positions[i] = std::fma(dt, velocity.positions[i], frame->positions[i]);
-  }
-  frame->digest = io::sha256(fmt::format("{} {} {}", start.digest, velocity.digest, io::hexfloat(dt)));
-  sequence::check_positions(*frame, velocities);
-  repairs.check_welds(*frame, velocities);
-  return frame;
-}
-
 }  // namespace
 
 int run_mesh(const MeshRunOptions& options) {
-  const frames::ReadOptions reading{options.topology, options.dataset, options.triangulate, throw_if_interrupted};
-  const std::vector<FrameName> names = frames_to_check(options, reading);
-  check_files(options, names);
+  FrameSource source(options);
+  const std::vector<FrameName>& names = source.names();
+  check_files(options, source.files());
   check_parts(options, names);
-  sequence::Heading heading = heading_for(options, names);
+  sequence::Heading heading = heading_for(options, source);
   const Question question = heading.question;
   const Separation separation = heading.separation;
   const sequence::Range range = sequence::range_of(heading);
   const int threads = thread_count(options.threads);
 
   // The first frame is read alone: the other ones share its elements.
-  sequence::Repairs repairs(options.repairs, may_differ(options) || options.as_parts);
-  const auto first = read(names[range.first], reading, nullptr, repairs);
-  const std::string& first_file = elements_file(options, names[range.first]);
+  const auto first = source.read(range.first);
+  const std::string& first_file = source.elements_file(range.first);
   heading.parts = sequence::part_rules_of(*first->topology, options.parts, first_file);
   Mesh mesh = sequence::mesh_of(*first->topology, separation, first_file, heading.parts);
   if (!may_differ(options)) heading.facts = sequence::facts_of(mesh, *first->topology);
@@ -376,7 +273,7 @@ int run_mesh(const MeshRunOptions& options) {
     print_error(fmt::format("touchstone: {} of {} results are those of {}\n", grouped(output.finished().size()),
                             grouped(sequence::result_count(question, range)), io::printable(output.finished_file())));
   }
-  Checker checker(options, names, output, heading, threads, proofs ? &*proofs : nullptr,
+  Checker checker(options, source, output, heading, threads, proofs ? &*proofs : nullptr,
                   animation ? &*animation : nullptr);
   checker.start_with(first->topology, std::move(mesh));
 
@@ -389,10 +286,7 @@ int run_mesh(const MeshRunOptions& options) {
     throw_if_interrupted();
     std::future<std::shared_ptr<const Frame>> next;
     if (index + 1 < range.last) {
-      next = std::async(policy, [&, index] {
-        return options.velocity.empty() ? read(names[index + 1], reading, first->topology, repairs)
-                                        : moved(*first, names[index + 1], options.dt, reading, repairs);
-      });
+      next = std::async(policy, [&source, index] { return source.read(index + 1); });
     }
     checker.take(index, std::move(frame));
     if (next.valid()) frame = next.get();

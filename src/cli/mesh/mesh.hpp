@@ -18,7 +18,7 @@ struct MeshRunOptions {
   std::vector<std::string> files;  ///< as given; patterns are not expanded yet
   bool in_order = false;           ///< the files are frames in the order given, whatever their names are
   bool check = false;              ///< asks about each frame at rest
-  bool as_parts = false;           ///< the files are the parts of one frame
+  bool as_parts = false;           ///< each argument is a part of one scene; with `check` each file is
   SeparationOption separation;
   sequence::PartOptions parts;
   sequence::RepairOptions repairs;

@@ -15,6 +15,7 @@
 #include "cli/shared/mesh_results.hpp"
 #include "exact/exact.hpp"
 #include "sequence/checks.hpp"
+#include "sequence/element_names.hpp"
 #include "view/pages/animation_page.hpp"
 #include "view/pages/html.hpp"
 #include "view/pages/story_html.hpp"
@@ -28,13 +29,25 @@ using view::Triple;
 view::AnimationShape shape_of(const Mesh& mesh, const frames::Topology& topology) {
   view::AnimationShape shape;
   const auto count = [](const auto& all) { return static_cast<std::uint32_t>(all.size()); };
-  shape.groups.push_back(
-      {std::string(), static_cast<std::uint32_t>(topology.vertex_count), count(mesh.edges()), count(topology.faces)});
   shape.edges = mesh.edges();
+  if (topology.vertex_parts.empty()) {
+    shape.groups.push_back({std::string(), static_cast<std::uint32_t>(topology.vertex_count), count(mesh.edges()),
+                            count(topology.faces), topology.first_number});
+  } else {
+    const auto part_of = [&](const auto& corners) { return topology.vertex_parts[corners[0]]; };
+    std::stable_sort(shape.edges.begin(), shape.edges.end(),
+                     [&](const auto& a, const auto& b) { return part_of(a) < part_of(b); });
+    for (const std::string& name : topology.parts) shape.groups.push_back({sequence::shown_part(name)});
+    for (std::size_t v = 0; v < topology.vertex_count; ++v) {
+      view::AnimationGroup& group = shape.groups[topology.vertex_parts[v]];
+      if (group.vertices++ == 0) group.first_number = topology.number_of_vertex(v);
+    }
+    for (const auto& edge : shape.edges) ++shape.groups[part_of(edge)].edges;
+    for (const auto& face : topology.faces) ++shape.groups[part_of(face)].faces;
+  }
   shape.faces = topology.faces;
   shape.points = mesh.points();
   shape.vertex_name = std::string("vertex");
-  shape.first_number = topology.first_number;
   shape.face_numbers.assign(topology.face_numbers.begin(), topology.face_numbers.end());
   shape.edges_have_numbers = false;
   return shape;
@@ -82,10 +95,15 @@ MeshAnimation::MeshAnimation(const Mesh& mesh, std::shared_ptr<const frames::Top
       separation_(separation),
       animation_(shape_of(mesh, *topology_), {{"pairs", {{"contacts", true}, {"intersections", true}}}}) {}
 
+MeshIndex MeshAnimation::vertex(const sequence::NamedElement& named, std::size_t corner) const {
+  if (const auto found = sequence::vertex_named(*topology_, named, corner)) return *found;
+  throw Error("an earlier run names " + element_for_person(named) + ", which the mesh does not have");
+}
+
 view::AnimationElement MeshAnimation::element(const sequence::NamedElement& named) const {
   std::vector<std::uint32_t> corners;
   for (std::size_t i = 0; i < named.corner_count(); ++i) {
-    corners.push_back(static_cast<std::uint32_t>(named.vertices[i] - topology_->first_number));
+    corners.push_back(vertex(named, i));
   }
   if (named.element == MeshElement::vertex) return {named.element, corners.front()};
   std::sort(corners.begin(), corners.end());
@@ -136,7 +154,7 @@ void MeshAnimation::add_intersections(const std::vector<sequence::RestContact>& 
     std::string corners;
     for (const auto& [named, points] : {std::pair{&contact.first, &first}, std::pair{&contact.second, &second}}) {
       for (std::size_t i = 0; i < named->corner_count(); ++i) {
-        const Triple x = at(frame, named->vertices[i] - topology_->first_number);
+        const Triple x = at(frame, vertex(*named, i));
         (*points)[i] = x;
         corners += exact_corner(fmt::format("vertex {}", named->vertices[i]), {x[0], x[1], x[2]});
       }

@@ -35,6 +35,7 @@ class MeshAnimation {
   std::uint64_t write(io::OutputFile& file, const std::string& question, const std::string& summary) const;
 
  private:
+  MeshIndex vertex(const sequence::NamedElement& named, std::size_t corner) const;
   view::AnimationElement element(const sequence::NamedElement& named) const;
   void add_contacts(const std::vector<sequence::PairContact>& pairs, double time, const sequence::Result& result,
                     const frames::Frame& before, const frames::Frame& after);

@@ -42,9 +42,9 @@ void add_mesh(CLI::App& program, Command& command) {
                        "--check, each file is a frame by itself, and their elements may differ");
   subcommand
       ->add_flag("--parts", options->as_parts,
-                 "The files are the parts of one scene, which --check asks about together. A part has the name of its "
-                 "file, whatever objects the file has")
-      ->needs(check)
+                 "The arguments are the parts of one scene: a file is at rest, unless it holds several frames, and a "
+                 "folder or a pattern in quotes is one part with these frames. With --check each file is a part. A "
+                 "part has the name of its files, whatever objects they have")
       ->excludes("--in-order");
   subcommand->add_flag("--weld", options->repairs.weld,
                        "Elements name the first of the vertices at exactly one position in place of the others: for "
@@ -119,8 +119,7 @@ void add_mesh(CLI::App& program, Command& command) {
       ->add_option(
           "--html", options->html,
           "Write a page with the animation, its contacts and its intersections. It is one file, for any browser")
-      ->type_name("PAGE.html")
-      ->excludes("--parts");
+      ->type_name("PAGE.html");
   subcommand
       ->add_option("--prove", options->prove,
                    "Write the frames' positions as FOLDER/motion.txt and a proof for each pair of each step as "
@@ -140,7 +139,8 @@ void add_mesh(CLI::App& program, Command& command) {
                        "An array of the vertices' velocities, (vertices, 3): the step goes from the one FRAME to its "
                        "positions and DT times the velocities, rounded to doubles")
           ->type_name("FILE")
-          ->excludes(check);
+          ->excludes(check)
+          ->excludes("--parts");
   CLI::Option* const dt =
       subcommand
           ->add_option_function<std::string>(
@@ -171,6 +171,7 @@ void add_mesh(CLI::App& program, Command& command) {
       "  touchstone mesh --check body.ply\n"
       "  touchstone mesh --check --clearance --between-parts engine.obj\n"
       "  touchstone mesh --check --parts --clearance --between-parts hull.stl wheel-*.stl\n"
+      "  touchstone mesh --parts --clearance --between-parts plate.obj 'lid-*.obj' arm/\n"
       "  touchstone mesh --clearance --only-between 'gripper*,bottle' grasp-*.obj\n"
       "  touchstone mesh --in-order rest.obj bent.obj\n"
       "  touchstone mesh --html cloth.html cloth-*.obj\n"

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -78,37 +79,11 @@ void refuse_faults(const Topology& topology, const std::vector<std::array<MeshIn
   }
 }
 
-/// The points of a file that are in no element. The others collide as corners.
-std::vector<MeshIndex> loose_points(const Topology& topology) {
-  if (topology.faces.empty() && topology.edges.empty() && topology.points.empty()) {
-    std::vector<MeshIndex> all(topology.vertex_count);
-    for (std::size_t v = 0; v < all.size(); ++v) all[v] = static_cast<MeshIndex>(v);
-    return all;
-  }
-  if (topology.points.empty()) return {};
-  std::vector<char> taken(topology.vertex_count, 0);
-  const auto take = [&](const auto& elements) {
-    for (const auto& corners : elements) {
-      for (const MeshIndex corner : corners) {
-        if (corner < taken.size()) taken[corner] = 1;
-      }
-    }
-  };
-  take(topology.faces);
-  take(topology.edges);
-  std::vector<MeshIndex> points;
-  for (const MeshIndex point : topology.points) {
-    if (point < taken.size() && std::exchange(taken[point], char{1}) != 0) continue;
-    points.push_back(point);
-  }
-  return points;
-}
-
 [[noreturn]] void refuse_change(const FrameName& before, const FrameName& after, const std::string& what) {
   io::fail(after.file,
            fmt::format("{} differs from {}: {}; all frames of a sequence must have the same vertices and "
-                       "elements. --check --parts asks about the parts of one scene, and --check --in-order about "
-                       "each file by itself",
+                       "elements. --parts asks about the parts of one scene, and --check --in-order about each "
+                       "file by itself",
                        after.label(), before.label(), what));
 }
 
@@ -178,6 +153,31 @@ EnclosedCounts counts_of(const std::vector<EnclosedPart>& enclosed, ElementNames
 }
 
 }  // namespace
+
+std::vector<MeshIndex> loose_points(const Topology& topology) {
+  if (topology.faces.empty() && topology.edges.empty() && topology.points.empty()) {
+    std::vector<MeshIndex> all(topology.vertex_count);
+    for (std::size_t v = 0; v < all.size(); ++v) all[v] = static_cast<MeshIndex>(v);
+    return all;
+  }
+  if (topology.points.empty()) return {};
+  std::vector<char> taken(topology.vertex_count, 0);
+  const auto take = [&](const auto& elements) {
+    for (const auto& corners : elements) {
+      for (const MeshIndex corner : corners) {
+        if (corner < taken.size()) taken[corner] = 1;
+      }
+    }
+  };
+  take(topology.faces);
+  take(topology.edges);
+  std::vector<MeshIndex> points;
+  for (const MeshIndex point : topology.points) {
+    if (point < taken.size() && std::exchange(taken[point], char{1}) != 0) continue;
+    points.push_back(point);
+  }
+  return points;
+}
 
 Mesh mesh_of(const Topology& topology, const Separation& separation, const std::string& file, const PartRules& parts) {
   MeshElements elements;
@@ -273,12 +273,9 @@ Result check_step(const Mesh& mesh, const Frame& before, const Frame& after, std
 
 Query query_of(const PairContact& pair, const Frame& before, const Frame& after) {
   const Topology& topology = *before.topology;
-  const auto at = [&](const Frame& frame, std::uint64_t number) {
+  const auto at = [&](const Frame& frame, MeshIndex vertex) {
     const auto dimension = static_cast<std::size_t>(topology.dimension);
-    if (number < topology.first_number || number - topology.first_number >= topology.vertex_count) {
-      throw Error(fmt::format("a pair of an earlier run names vertex {}, which the mesh does not have", number));
-    }
-    const double* const x = &frame.positions[(number - topology.first_number) * dimension];
+    const double* const x = &frame.positions[vertex * dimension];
     return Vec3{x[0], x[1], dimension == 3 ? x[2] : 0.0};
   };
   Query query;
@@ -286,8 +283,13 @@ Query query_of(const PairContact& pair, const Frame& before, const Frame& after)
   std::size_t corner = 0;
   for (const NamedElement* element : {&pair.first, &pair.second}) {
     for (std::size_t i = 0; i < element->corner_count(); ++i, ++corner) {
-      query.start[corner] = at(before, element->vertices[i]);
-      query.end[corner] = at(after, element->vertices[i]);
+      const std::optional<MeshIndex> vertex = vertex_named(topology, *element, i);
+      if (!vertex) {
+        throw Error(fmt::format("a pair of an earlier run names vertex {}, which the mesh does not have",
+                                element->vertices[i]));
+      }
+      query.start[corner] = at(before, *vertex);
+      query.end[corner] = at(after, *vertex);
     }
   }
   return query;

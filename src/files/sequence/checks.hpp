@@ -4,6 +4,7 @@
 
 #include <atomic>
 #include <string>
+#include <vector>
 
 #include <touchstone/mesh.hpp>
 
@@ -12,6 +13,10 @@
 #include "sequence/results.hpp"
 
 namespace touchstone::sequence {
+
+/// The vertices of a file that collide as points: its points that are in no element or, in a file without faces, edges
+/// and points, all vertices.
+std::vector<MeshIndex> loose_points(const frames::Topology& topology);
 
 /// The mesh of a topology. Vertices that are in no element do not collide.
 /// @param file  the name for messages

@@ -15,13 +15,6 @@
 namespace touchstone::sequence {
 namespace {
 
-/// A report with many pairs repeats names many times.
-constexpr std::size_t kLongestPart = 100;
-
-std::string shown_part(const std::string& name) {
-  return io::printable(name.size() > kLongestPart ? name.substr(0, kLongestPart) + "..." : name);
-}
-
 void append_number(std::string& bytes, std::uint64_t number) {
   for (int shift = 0; shift < 64; shift += 8) bytes += static_cast<char>(number >> shift & 0xFF);
 }
@@ -64,6 +57,28 @@ std::size_t closed_polygons(const Mesh& mesh, const std::vector<std::size_t>& de
 }
 
 }  // namespace
+
+std::string shown_part(const std::string& name) {
+  constexpr std::size_t kLongest = 100;
+  return io::printable(name.size() > kLongest ? name.substr(0, kLongest) + "..." : name);
+}
+
+std::optional<MeshIndex> vertex_named(const frames::Topology& topology, const NamedElement& element,
+                                      std::size_t corner) {
+  const std::uint64_t number = element.vertices[corner];
+  std::uint64_t first = 0, last = topology.vertex_count, first_number = topology.first_number;
+  if (!topology.vertex_parts.empty()) {
+    const auto found = std::find_if(topology.parts.begin(), topology.parts.end(),
+                                    [&](const std::string& name) { return shown_part(name) == element.part; });
+    const auto [begin, end] = std::equal_range(topology.vertex_parts.begin(), topology.vertex_parts.end(),
+                                               static_cast<std::uint32_t>(found - topology.parts.begin()));
+    first = static_cast<std::uint64_t>(begin - topology.vertex_parts.begin());
+    last = static_cast<std::uint64_t>(end - topology.vertex_parts.begin());
+    if (first < last) first_number = topology.vertex_numbers[first];
+  }
+  if (number < first_number || number - first_number >= last - first) return std::nullopt;
+  return static_cast<MeshIndex>(first + number - first_number);
+}
 
 NamedElement ElementNames::vertex(MeshIndex v) {
   NamedElement named;

@@ -4,6 +4,8 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
+#include <string>
 #include <vector>
 
 #include <touchstone/mesh.hpp>
@@ -12,6 +14,14 @@
 #include "sequence/results.hpp"
 
 namespace touchstone::sequence {
+
+/// The name of a part as results have it: one line, and cut, because a report with many pairs repeats it many times.
+std::string shown_part(const std::string& name);
+
+/// The vertex that a result names, perhaps one of an earlier run; nothing where the mesh has no such vertex.
+/// @param topology  that of a file, or of a scene: each part's vertices follow one another, and so do their numbers
+std::optional<MeshIndex> vertex_named(const frames::Topology& topology, const NamedElement& element,
+                                      std::size_t corner);
 
 class ElementNames {
  public:

@@ -140,10 +140,10 @@ std::string base_name(const std::string& file) {
     fault = fmt::format("differs from {} in more than numbers", base_name(files.front()));
     break;
   }
-  io::fail(files[at],
-           fmt::format("the name {}. If these files are the frames of one animation, --in-order takes them "
-                       "in the order given; if they are parts of one scene, --check --parts asks about them together",
-                       fault));
+  io::fail(files[at], fmt::format("the name {}. If these files are the frames of one animation, --in-order takes them "
+                                  "in the order given; if they are parts of one scene, --parts asks about them "
+                                  "together, and with --check at rest",
+                                  fault));
 }
 
 void check_numbers(const std::vector<Numbered>& files) {
@@ -227,16 +227,6 @@ std::vector<std::string> frames_in(std::string folder) {
 }  // namespace
 
 std::string FrameName::label() const {
-  if (!parts.empty()) {
-    std::string names;
-    std::set<std::string> known;
-    const bool repeated = std::any_of(parts.begin(), parts.end(),
-                                      [&](const auto& part) { return !known.insert(base_name(part)).second; });
-    for (const std::string& part : parts) {
-      names += (names.empty() ? "" : " + ") + (repeated ? io::printable(part) : base_name(part));
-    }
-    return names;
-  }
   if (!shown_as.empty()) return shown_as;
   std::filesystem::path path = folders == 0 ? std::filesystem::path(file) : with_one_spelling(file);
   std::filesystem::path shown = path.filename();
@@ -321,16 +311,20 @@ bool has_repeated_label(const std::vector<FrameName>& names) {
 
 }  // namespace
 
+void show_folders(std::vector<FrameName>& names) {
+  constexpr std::size_t kMostFolders = 8;
+  for (std::size_t folders = 1; folders <= kMostFolders && has_repeated_label(names); ++folders) {
+    for (FrameName& name : names) name.folders = folders;
+  }
+}
+
 std::vector<FrameName> frames_of(const std::vector<std::string>& files, const frames::ReadOptions& options) {
   std::vector<FrameName> all;
   for (const auto& file : files) {
     const std::size_t count = frames::frame_count(file, options);
     for (std::size_t i = 0; i < count; ++i) all.push_back({file, i, count > 1});
   }
-  constexpr std::size_t kMostFolders = 8;
-  for (std::size_t folders = 1; folders <= kMostFolders && has_repeated_label(all); ++folders) {
-    for (FrameName& name : all) name.folders = folders;
-  }
+  show_folders(all);
   return all;
 }
 

@@ -14,12 +14,11 @@ namespace touchstone::sequence {
 
 /// Where one frame is.
 struct FrameName {
-  std::string file;                     ///< as it was given
-  std::size_t index = 0;                ///< which frame of the file
-  bool several = false;                 ///< whether the file holds several frames
-  std::size_t folders = 0;              ///< how many of its folders the label has
-  std::vector<std::string> parts = {};  ///< the files of a scene, in place of `file`; empty: it is one
-  std::string shown_as = {};            ///< the label; empty: that of the file
+  std::string file;           ///< as it was given
+  std::size_t index = 0;      ///< which frame of the file
+  bool several = false;       ///< whether the file holds several frames
+  std::size_t folders = 0;    ///< how many of its folders the label has
+  std::string shown_as = {};  ///< the label; empty: that of the file
 
   /// The frame in a report and in messages: the file's name, with folders where several files have one name, and "[7]"
   /// when the file holds several frames. It is one line of valid UTF-8, whatever the file is called.
@@ -53,6 +52,9 @@ std::vector<std::string> in_order(std::vector<std::string> files, Gaps gaps);
 /// order of their numbers where in_order would take them, else in that of their names.
 /// @throws FileError  for a pattern that matches nothing
 std::vector<std::string> as_given(const std::vector<std::string>& arguments);
+
+/// Gives each label as many folders as tell the frames of different files apart.
+void show_folders(std::vector<FrameName>& names);
 
 /// Every frame of the files, one file after the other. @throws FileError
 std::vector<FrameName> frames_of(const std::vector<std::string>& files, const frames::ReadOptions& options);

@@ -39,6 +39,11 @@ std::string json_of(const PartRules& rules) {
   return text + fmt::format("], \"within\": {}}}", within);
 }
 
+std::string shown_scene(const std::optional<SceneFacts>& scene) {
+  return scene ? fmt::format("a scene of {} parts with {} of them at rest", scene->parts, scene->at_rest)
+               : std::string("frames of one mesh");
+}
+
 std::string shown_facts(const std::optional<MeshFacts>& facts) {
   if (!facts) return "frames whose elements may differ";
   return fmt::format("a mesh of {} vertices and {} faces with the digest {}", facts->vertices, facts->faces,
@@ -84,6 +89,10 @@ std::string heading_json(const Heading& heading) {
   }
   if (!heading.parts.empty()) text += ",\n " + json_of(heading.parts);
   if (heading.clearance) text += ",\n \"clearance\": true";
+  if (const auto& scene = heading.scene) {
+    text += fmt::format(",\n \"scene\": {{\"parts\": {}, \"at_rest\": {}, \"numbered\": {}}}", scene->parts,
+                        scene->at_rest, scene->numbered);
+  }
   if (heading.dt) text += fmt::format(",\n \"dt\": \"{}\"", io::hexfloat(*heading.dt));
   if (heading.facts) text += ",\n " + json_of(*heading.facts);
   return text;
@@ -136,6 +145,7 @@ std::string difference_of(const Heading& a, const Heading& b, std::string_view o
     return differ(a.clearance ? "the least distance, too" : "contacts alone",
                   b.clearance ? "the least distance, too" : "contacts alone");
   }
+  if (a.scene != b.scene) return differ(shown_scene(a.scene), shown_scene(b.scene));
   if (a.dt != b.dt) {
     const auto shown = [](const std::optional<double>& dt) {
       return dt ? fmt::format("velocities and dt = {}", *dt) : std::string("frames alone");

@@ -106,6 +106,13 @@ Heading heading_of(const JsonNode& root) {
     heading.clearance = clearance->boolean();
     if (!heading.clearance) clearance->fail("must be true, or not be there");
   }
+  if (const auto scene = root.find("scene")) {
+    scene->check_keys({"parts", "at_rest", "numbered"});
+    const std::size_t parts = scene->at("parts").whole_number(1, kMostElements);
+    const std::size_t at_rest = scene->at("at_rest").whole_number(0, parts - 1);
+    heading.scene = {parts, at_rest, scene->at("numbered").whole_number(0, at_rest)};
+    if (!steps) scene->fail("must be beside steps");
+  }
   if (const auto dt = root.find("dt")) {
     heading.dt = io::parse_finite_double(dt->text());
     if (!heading.dt || !steps || heading.frame_count != 2) dt->fail("must be a hexfloat, and beside two frames");
@@ -132,7 +139,7 @@ Report report_from(std::string_view text) {
   const json::JsonDocument document = json::parse_json(text);
   const JsonNode root(document.value(), "the report");
   root.check_keys({"sha256", "touchstone_mesh", "touchstone", "question", "separation", "metric", "frame_count",
-                   "names_sha256", "shard", "parts", "clearance", "dt", "mesh", "frames", "results", "counts",
+                   "names_sha256", "shard", "parts", "clearance", "scene", "dt", "mesh", "frames", "results", "counts",
                    "warnings"});
   Report report;
   report.heading = heading_of(root);

@@ -195,14 +195,24 @@ struct FrameEntry {
   std::optional<MeshFacts> facts = {};  ///< where the frames may be different meshes
 };
 
+/// What a scene of parts that move is made of.
+struct SceneFacts {
+  std::size_t parts = 0;     ///< all
+  std::size_t at_rest = 0;   ///< of these: at rest in all frames
+  std::size_t numbered = 0;  ///< of those: the name differs from another one's in numbers only, as those of frames do
+
+  bool operator==(const SceneFacts& other) const = default;
+};
+
 /// What a report is about. Two runs with the same heading differ in the content of their frames only.
 struct Heading {
   std::string program;  ///< the version
   Question question = Question::steps;
   Separation separation;
-  PartRules parts;           ///< which parts were asked about
-  bool clearance = false;    ///< whether the least distance was asked for, too
-  std::optional<double> dt;  ///< the second frame is the first one and so many times a file of velocities
+  PartRules parts;                  ///< which parts were asked about
+  bool clearance = false;           ///< whether the least distance was asked for, too
+  std::optional<SceneFacts> scene;  ///< where each part has frames of its own
+  std::optional<double> dt;         ///< the second frame is the first one and so many times a file of velocities
 
   std::size_t frame_count = 0;     ///< of the whole sequence
   std::string list_digest;         ///< digest_of the labels of all frames

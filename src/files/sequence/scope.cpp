@@ -125,6 +125,16 @@ std::vector<std::string> warnings_of(const Heading& heading, const std::vector<F
                     counted(joined, "vertex")));
   }
   for (const std::string& text : left_out_by(heading.parts)) warnings.push_back(text);
+  if (heading.scene && heading.scene->at_rest > 0) {
+    const auto [parts, at_rest, numbered] = *heading.scene;
+    std::string text = fmt::format("{} of {} {} at rest in all frames", io::grouped(at_rest), counted(parts, "part"),
+                                   at_rest == 1 ? "is" : "are");
+    if (numbered > 0) {
+      text += fmt::format(", and the names of {} differ in numbers only: frames of one part are a pattern in quotes",
+                          io::grouped(numbered));
+    }
+    warnings.push_back(std::move(text));
+  }
   if (heading.dt) {
     warnings.push_back(
         fmt::format("the step ends at the positions and {} times the velocities, rounded to doubles", *heading.dt));

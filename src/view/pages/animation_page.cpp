@@ -61,7 +61,6 @@ const char* sort_name(MarkSort sort) {
 nlohmann::json data_of(const Animation& animation, const AnimationWords& words, const AnimationView& view) {
   nlohmann::json data;
   data["vertexName"] = animation.shape().vertex_name;
-  data["firstNumber"] = animation.shape().first_number;
   data["edgesHaveNumbers"] = animation.shape().edges_have_numbers;
   data["facesHaveNumbers"] = !animation.shape().face_numbers.empty();
   data["crossing"] = words.crossing;
@@ -76,8 +75,11 @@ nlohmann::json data_of(const Animation& animation, const AnimationWords& words, 
   data["vertices"] = animation.shape().vertex_count();
   data["parts"] = nlohmann::json::array();
   for (const AnimationGroup& group : animation.shape().groups) {
-    data["parts"].push_back(
-        {{"name", group.name}, {"vertices", group.vertices}, {"edges", group.edges}, {"faces", group.faces}});
+    data["parts"].push_back({{"name", group.name},
+                             {"vertices", group.vertices},
+                             {"edges", group.edges},
+                             {"faces", group.faces},
+                             {"firstNumber", group.first_number}});
   }
   for (const char* key : {"times", "numbers", "labels", "exponents", "origins", "plots", "stories"}) {
     data[key] = nlohmann::json::array();

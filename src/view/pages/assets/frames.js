@@ -99,7 +99,7 @@ class Elements {
 
   /** "edge 12 of body 2", or "edge 3-4" where edges have no numbers */
   name({sort, number}) {
-    const data = this.data, first = data.firstNumber;
+    const data = this.data;
     const count = {vertex: 'vertices', edge: 'edges', face: 'faces'}[sort];
     let within = number, firstVertex = 0;
     for (const part of data.parts) {
@@ -108,7 +108,7 @@ class Elements {
         firstVertex += part.vertices;
         continue;
       }
-      const of = part.name ? ` of ${part.name}` : '';
+      const of = part.name ? ` of ${part.name}` : '', first = part.firstNumber;
       if (sort === 'vertex') return `${data.vertexName} ${within + first}${of}`;
       if (sort === 'face') return `face ${data.facesHaveNumbers ? this.faceNumbers[number] : within + first}${of}`;
       if (data.edgesHaveNumbers) return `edge ${within}${of}`;

@@ -1,0 +1,189 @@
+// touchstone mesh --parts: parts with frames of their own.
+// SPDX-License-Identifier: MIT
+#include <filesystem>
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "cli/mesh_runs.hpp"
+#include "cli/run_checker.hpp"
+
+using namespace touchstone;
+using namespace touchstone::tests;
+
+namespace {
+
+const std::string kPlate = "v 0 0 0\nv 4 0 0\nv 0 4 0\nf 1 2 3\n";
+constexpr double kHeights[] = {2.5, 1.5, 0.5, -0.5};  // of the lid's lowest corner
+
+std::string lid(double z, int first) {
+  const auto corner = [&](int n) { return std::to_string(first + n); };
+  return "v 1 1 " + std::to_string(z) + "\nv 2 1 3\nv 1 2 3\nf " + corner(0) + " " + corner(1) + " " + corner(2) + "\n";
+}
+
+/// A plate at rest, a lid of four files that falls through it, and an array whose points rise beside both, with numbers
+/// from 0.
+struct Scene {
+  TemporaryFolder folder;
+  std::string plate, lids, grains;
+
+  Scene() {
+    plate = folder.write("plate.obj", kPlate);
+    for (int i = 0; i < 4; ++i) folder.write("lid-" + std::to_string(i + 8) + ".obj", lid(kHeights[i], 1));
+    lids = folder.path("lid-*.obj");
+    std::vector<std::string> frames;
+    for (const char* z : {"1", "2", "3", "4"}) {
+      frames.push_back(std::string("v 9 9 ") + z + "\nv 8 8 " + z + "\n");
+    }
+    grains = folder.write("grains.npy", npy_of(frames, 2));
+  }
+
+  std::vector<std::string> arguments(const std::vector<std::string>& more) const {
+    return with({"--parts", plate, lids, grains}, more);
+  }
+};
+
+}  // namespace
+
+TEST_CASE("parts have frames of their own, and the answers are those of one file with the same elements") {
+  const Scene scene;
+  const Run run = mesh(
+      scene.arguments({"--report", scene.folder.path("r.json"), "--clearance", "--pairs", scene.folder.path("p.csv")}));
+  CAPTURE(run.out, run.err);
+  CHECK(run.status == 1);
+  CHECK(occurrences(run.out,
+                    "frame 2 -> frame 3: first contact at t = 0x1p-1 (0.5), 1 pair\n"
+                    "  vertex 1 of lid and face 1 (1-2-3) of plate: crossing, v against f\n"
+                    "  frame 3 then has 2 intersections\n"
+                    "    edge 1-2 of lid pierces face 1 (1-2-3) of plate\n") == 1);
+  CHECK(verdict(run).ends_with("8 vertices, 6 edges, 2 faces, 2 loose points); 1 of 3 parts is at rest in all frames"));
+  CHECK(occurrences(scene.folder.read("p.csv"),
+                    "frame 2,frame 3,first,vertex-face,vertex,1,,lid,face,1 2 3,1,plate,") == 1);
+  const auto report = nlohmann::json::parse(scene.folder.read("r.json"));
+  CHECK(report["scene"].dump() == R"({"at_rest":1,"numbered":0,"parts":3})");
+  CHECK(report["frames"][3]["name"] == "frame 3");
+
+  std::vector<std::string> files = {"--report", scene.folder.path("one.json"), "--clearance"};
+  for (int i = 0; i < 4; ++i) {
+    const std::string z = std::to_string(i + 1);
+    files.push_back(scene.folder.write("one-" + z + ".obj",
+                                       kPlate + lid(kHeights[i], 4) + "v 9 9 " + z + "\nv 8 8 " + z + "\np 7\np 8\n"));
+  }
+  CHECK(mesh(files).status == 1);
+  const auto one = nlohmann::json::parse(scene.folder.read("one.json"));
+  CHECK(one["mesh"] == report["mesh"]);
+  CHECK(one["counts"] == report["counts"]);
+  REQUIRE(one["results"].size() == report["results"].size());
+  for (std::size_t i = 0; i < one["results"].size(); ++i) {
+    const auto &a = one["results"][i], &b = report["results"][i];
+    CHECK(a["free"] == b["free"]);
+    CHECK(a["clearance"]["distance"] == b["clearance"]["distance"]);
+    if (!a["free"]) CHECK(a["toi"] == b["toi"]);
+  }
+}
+
+TEST_CASE("with one part that moves, frames have its names, and a folder is a part") {
+  const Scene scene;
+  std::filesystem::create_directory(scene.folder.path("arm"));
+  for (int i = 0; i < 3; ++i) {
+    scene.folder.write("arm/pose-" + std::to_string(i) + ".obj", lid(kHeights[i], 1));
+  }
+  const Run run = mesh({"--parts", scene.plate, scene.folder.path("arm/")});
+  CHECK(run.status == 0);
+  CHECK(run.out.starts_with("pose-0.obj: no intersection\npose-0.obj -> pose-1.obj: free\n"));
+  const Run named = mesh({"--parts", "--only-between", "arm,plate", scene.plate, scene.folder.path("arm")});
+  CHECK(
+      verdict(named).ends_with("; nothing but these parts was asked about: plate and arm; 1 of 2 parts is at rest in "
+                               "all frames"));
+}
+
+TEST_CASE("a scene of moving parts has query files, a page and proofs") {
+  const Scene scene;
+  const Run run = mesh(scene.arguments({"--queries", scene.folder.path("q"), "--html", scene.folder.path("p.html"),
+                                        "--prove", scene.folder.path("proved")}));
+  CAPTURE(run.out, run.err);
+  CHECK(run.status == 1);
+  // The numbers of each file are those of its own vertices.
+  CHECK(scene.folder.read("q/vertex-face/contacts.csv") ==
+        "# step frame 2 -> frame 3: vertex 1 of lid and face 1 (1-2-3) of plate\n"
+        "1,1,1,1,1,2,1\n0,1,0,1,0,1,1\n4,1,0,1,0,1,1\n0,1,4,1,0,1,1\n"
+        "1,1,1,1,-1,2,1\n0,1,0,1,0,1,1\n4,1,0,1,0,1,1\n0,1,4,1,0,1,1\n");
+  CHECK(run_program({"certify", scene.folder.path("q/vertex-face/contacts.csv")}).status == 0);
+  const std::string page = scene.folder.read("p.html");
+  CHECK(occurrences(page, "vertex 1 of lid and face 1 (1-2-3) of plate") >= 1);
+  CHECK(occurrences(page, R"({"edges":3,"faces":1,"firstNumber":1,"name":"lid","vertices":3})") == 1);
+  CHECK(occurrences(page, R"({"edges":0,"faces":0,"firstNumber":0,"name":"grains","vertices":2})") == 1);
+  const Run checked = run_checker(scene.folder.path("proved/proofs.txt"), {scene.folder.path("proved/motion.txt")});
+  CAPTURE(checked.out, checked.err);
+  CHECK(checked.status == 0);
+  CHECK(occurrences(checked.out, "1 contact") == 1);
+  const Run rest = mesh(
+      {"--check", "--parts", scene.plate, scene.folder.path("lid-11.obj"), "--html", scene.folder.path("rest.html")});
+  CHECK(rest.status == 1);
+  CHECK(occurrences(scene.folder.read("rest.html"), "edge 1-2 of lid-11 pierces face 1 (1-2-3) of plate") >= 1);
+}
+
+TEST_CASE("a scene of moving parts is resumed, and made of shards") {
+  const Scene scene;
+  const std::string whole = scene.folder.path("whole.json");
+  const std::vector<std::string> outputs = {"--report", whole};
+  CHECK(mesh(scene.arguments(outputs)).status == 1);
+  for (const std::string shard : {"1", "2"}) {
+    mesh(scene.arguments({"--shard", shard + "/2", "--report", scene.folder.path(shard + ".json")}));
+  }
+  CHECK(run_program(
+            {"merge", "--out", scene.folder.path("m.json"), scene.folder.path("1.json"), scene.folder.path("2.json")})
+            .status == 1);
+  CHECK(scene.folder.read("m.json") == scene.folder.read("whole.json"));
+
+  CHECK(mesh(scene.arguments(with(outputs, {"--resume"}))).status == 1);
+  // A page of results that an earlier run found.
+  CHECK(mesh(scene.arguments(with(outputs, {"--resume", "--html", scene.folder.path("again.html")}))).status == 1);
+  CHECK(occurrences(scene.folder.read("again.html"), "vertex 1 of lid and face 1 (1-2-3) of plate") >= 1);
+  const Run other = mesh({"--parts", "--report", whole, "--resume", scene.plate, scene.grains});
+  CHECK(other.status == 2);
+  CHECK(occurrences(other.err,
+                    "is about a scene of 3 parts with 1 of them at rest, and this run about a scene of 2 "
+                    "parts with 1 of them at rest") == 1);
+  scene.folder.write("plate.obj", "v 0 0 0\nv 5 0 0\nv 0 4 0\nf 1 2 3\n");
+  const Run changed = mesh(scene.arguments(with(outputs, {"--resume"})));
+  CHECK(changed.status == 2);
+  CHECK(occurrences(changed.err, "frame 0: a file of this frame has changed since") == 1);
+}
+
+TEST_CASE("what is no scene of parts that move is refused, and what may be a mistake is in the verdict") {
+  const Scene scene;
+  const TemporaryFolder& folder = scene.folder;
+  const auto refused = [](const std::vector<std::string>& arguments, const std::string& words) {
+    check_refused(mesh(with({"--parts"}, arguments)), words);
+  };
+  std::vector<std::string> each;  // as a shell names them without quotes
+  for (int i = 8; i < 12; ++i) each.push_back(folder.path("lid-" + std::to_string(i) + ".obj"));
+  refused(with({scene.plate}, each),
+          "no part has more than 1; --check --parts asks about parts at rest; the names of 4 parts differ in numbers "
+          "only: a pattern in quotes");
+  CHECK(verdict(mesh(with({"--parts", scene.grains, scene.plate}, {each[0], each[1]})))
+            .ends_with("; 3 of 4 parts are at rest in all frames, and the names of 2 differ in numbers only: frames of "
+                       "one part are a pattern in quotes"));
+  const std::string three = folder.write("three.npy", npy_of({"v 0 0 7\n", "v 0 0 8\n", "v 0 0 9\n"}, 1));
+  refused({scene.plate, three, scene.grains}, "the part grains has 4 frames, and three has 3");
+  refused({scene.plate, scene.lids, scene.plate}, "is given twice");
+  refused({scene.plate, folder.path("none-*.obj")}, "no file matches this pattern");
+  folder.write("gap-1.obj", kPlate), folder.write("gap-2.obj", kPlate), folder.write("gap-4.obj", kPlate);
+  refused({scene.plate, folder.path("gap-*.obj")}, "frame 3 is missing");
+  folder.write("new-1.obj", kPlate), folder.write("new-2.obj", kPlate + "v 9 9 9\n");
+  refused({scene.grains, folder.path("new-*.obj")}, "the part new has 2 frames, and grains has 4");
+  const Run other = mesh({"--parts", scene.plate, folder.path("new-*.obj")});  // after the first frame
+  CHECK(other.status == 2);
+  CHECK(occurrences(other.err, "new-2.obj differs from new-1.obj: 4 vertices, not 3") == 1);
+  std::string bad = npy_of({"v 0 0 7\n", "v 0 0 8\n"}, 1);
+  const double infinity = std::numeric_limits<double>::infinity();
+  bad.replace(bad.size() - 32, 8, reinterpret_cast<const char*>(&infinity), 8);
+  refused({scene.plate, folder.write("bad.npy", bad)},
+          "bad.npy: vertex 0 of frame 0 has a coordinate that is not finite");
+  refused({folder.write("flat.npy", npy_of({"v 0 0\n", "v 0 1\n"}, 1, 2))}, "is a mesh in the plane");
+  refused(with(scene.arguments({}), {"--report", scene.plate}), "plate.obj");
+  refused(with(scene.arguments({}), {"--in-order"}), "--in-order excludes --parts");
+  refused({scene.plate, "--velocity", scene.grains, "--dt", "1"}, "--parts excludes --velocity");
+}
