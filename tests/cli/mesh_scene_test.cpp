@@ -1,4 +1,4 @@
-// touchstone mesh --parts: parts with frames of their own.
+// touchstone mesh --parts: parts with frames of their own; --self: separations within a part.
 // SPDX-License-Identifier: MIT
 #include <filesystem>
 #include <limits>
@@ -186,4 +186,68 @@ TEST_CASE("what is no scene of parts that move is refused, and what may be a mis
   refused(with(scene.arguments({}), {"--report", scene.plate}), "plate.obj");
   refused(with(scene.arguments({}), {"--in-order"}), "--in-order excludes --parts");
   refused({scene.plate, "--velocity", scene.grains, "--dt", "1"}, "--parts excludes --velocity");
+}
+
+TEST_CASE("a separation within a part leaves out its own neighbours, counts them, and finds its folds") {
+  // A strip of five squares that is bent, so that its last square comes down to its first one.
+  const TemporaryFolder folder;
+  const auto strip = [](double height) {
+    const std::string z = std::to_string(height);
+    std::string text;
+    for (const char* y : {"0", "1"}) {
+      for (const std::string& xz : {std::string("0 Y 0"), std::string("1 Y 0"), std::string("2 Y 0"),
+                                    std::string("2 Y 1"), "1 Y " + z, "0 Y " + z}) {
+        text += "v " + xz.substr(0, 2) + y + xz.substr(3) + "\n";
+      }
+    }
+    for (int i = 1; i < 6; ++i) {
+      const auto n = [&](int k) { return " " + std::to_string(i + k); };
+      text += "f" + n(0) + n(1) + n(7) + n(6) + "\n";
+    }
+    return text;
+  };
+  std::vector<std::string> files;
+  for (const double height : {2.0, 1.0, 0.5}) {
+    files.push_back(folder.write("s-" + std::to_string(files.size()) + ".obj", strip(height)));
+  }
+  const auto wide = [&](const std::vector<std::string>& more) {
+    return mesh(with({"--triangulate", "--separation", "1"}, with(more, files)));
+  };
+  const Run all = wide({});
+  CHECK(all.status == 1);
+  CHECK(occurrences(all.out, "pairs are in contact at the start") == 2);
+  const Run self = wide({"--self", "1.5", "--report", folder.path("r.json")});
+  CAPTURE(self.out, self.err);
+  CHECK(self.status == 1);
+  // The neighbours are left out, and the ends of the strip come within the separation in the first step.
+  CHECK(occurrences(self.out, "s-0.obj -> s-1.obj: first contact at t = ") == 1);
+  const auto report = nlohmann::json::parse(folder.read("r.json"));
+  CHECK(report["self"]["length"] == "0x1.8p+0");
+  CHECK(report["self"]["frame_sha256"] == report["frames"][0]["sha256"]);
+  const std::string count = std::to_string(report["self"]["pairs"].get<int>());
+  CHECK(verdict(self).ends_with("; " + count +
+                                " pairs that start within the separation and are connected by edges of "
+                                "less than 1.5 were asked about touching alone"));
+  // A chain that is as long as the strip connects nothing that is not near at the start.
+  CHECK(occurrences(wide({"--self", "1000"}).out, "s-0.obj -> s-1.obj: first contact at t = ") == 1);
+
+  CHECK(wide({"--self", "1.5", "--report", folder.path("r.json"), "--resume"}).status == 1);
+  const Run other = wide({"--self", "1.25", "--report", folder.path("r.json"), "--resume"});
+  CHECK(other.status == 2);
+  CHECK(occurrences(other.err,
+                    "is about separations within a surface beyond edges of 1.5, and this run about "
+                    "separations within a surface beyond edges of 1.25") == 1);
+  // The second shard has the pairs of the first frame of all.
+  for (const std::string shard : {"1", "2"}) {
+    wide({"--self", "1.5", "--shard", shard + "/2", "--report", folder.path(shard + ".json")});
+  }
+  CHECK(run_program({"merge", "--out", folder.path("m.json"), folder.path("1.json"), folder.path("2.json")}).status ==
+        1);
+  CHECK(folder.read("m.json") == folder.read("r.json"));
+
+  check_refused(mesh(with({"--self", "1"}, files)), "--self requires --separation");
+  check_refused(wide({"--self", "0"}), "must be greater than 0");
+  check_refused(wide({"--self", "nan"}), "--self: ");
+  check_refused(wide({"--self", "1", "--between-parts"}), "--between-parts excludes --self");
+  check_refused(wide({"--self", "1", "--prove", folder.path("p")}), "--self excludes --prove");
 }

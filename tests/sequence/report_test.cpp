@@ -80,7 +80,7 @@ TEST_CASE("a report is JSON that says everything, and is read back") {
   CHECK(json["mesh"]["joined_vertices"] == 0);
   CHECK(json["results"][0]["enclosed_parts"]["points"] == 3);
   CHECK(json["results"][0]["enclosed_parts"]["face"]["number"] == 17);
-  REQUIRE(json["warnings"].size() == 7);
+  REQUIRE(json["warnings"].size() == 8);
   CHECK(json["warnings"][0] == "1 vertex in no element was left out");
   CHECK(
       json["warnings"][1] ==
@@ -89,10 +89,13 @@ TEST_CASE("a report is JSON that says everything, and is read back") {
   CHECK(json["warnings"][2] == "pairs within one part were left out");
   CHECK(json["warnings"][3] == "these parts were not asked about: a \"b\" and c,d, c,d and e");
   CHECK(json["warnings"][4] ==
+        "1,234 pairs that start within the separation and are connected by edges of less than 0.5 were asked about "
+        "touching alone");
+  CHECK(json["warnings"][5] ==
         "3 of 4 parts are at rest in all frames, and the names of 2 differ in numbers only: frames of one part are a "
         "pattern in quotes");
-  CHECK(json["warnings"][5] == "3 free steps start from a frame that intersects itself");
-  CHECK(has(json["warnings"][6], "5 of 13 vertices lie exactly on others: "));
+  CHECK(json["warnings"][6] == "3 free steps start from a frame that intersects itself");
+  CHECK(has(json["warnings"][7], "5 of 13 vertices lie exactly on others: "));
   CHECK(json["parts"]["ignored"].dump() == R"([["a \"b\"","c,d"],["c,d","e"]])");
   CHECK(json["parts"]["within"] == false);
   CHECK(json["clearance"] == true);
@@ -293,6 +296,10 @@ TEST_CASE("a report with a right digest and wrong content is refused by its key"
   check("[\"c,d\", \"e\"]", "[\"a \\\"b\\\"\", \"c,d\"]", "parts.ignored[1]: must come after the pair before it");
   check("\"distance\":\"0x1.8p-3\"", "\"distance\":\"-0x1.8p-3\"", "distance: must be null or a hexfloat");
   check("\"pairs\":2", "\"pairs\":0", "results[3].clearance.pairs");
+  check("\"length\": \"0x1p-1\"", "\"length\": \"0x0p+0\"", "self.length: must be a hexfloat greater than 0");
+  check("\"length\": \"0x1p-1\"", "\"length\": \"0x1p-2\"", "not as touchstone mesh writes it");
+  check("\"pairs\": 1234", "\"pairs\": -1", "self.pairs");
+  check("\"separation\": \"0x1p-3\"", "\"separation\": \"0x0p+0\"", "self: must be beside steps and a separation");
   check("\"at_rest\": 3", "\"at_rest\": 4", "scene.at_rest");
   check("\"numbered\": 2", "\"numbered\": 4", "scene.numbered");
   check("\"numbered\": 2", "\"numbered\": 1", "not as touchstone mesh writes it");

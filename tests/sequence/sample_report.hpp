@@ -19,6 +19,7 @@ inline sequence::Report sample_report() {
   report.heading.separation = {0.125, Metric::max};
   report.heading.parts = {GroupRule::all_but_listed, false, {{"a \"b\"", "c,d"}, {"c,d", "e"}}};
   report.heading.clearance = true;
+  report.heading.self = SelfRule{0.5, 1234, std::string(64, '0')};
   report.heading.scene = SceneFacts{4, 3, 2};
   report.heading.frame_count = 7;
   report.heading.facts = MeshFacts{std::string(64, 'a'), 3, 13, 4, 12, 0, 1, 24};

@@ -28,6 +28,7 @@
 #include "sequence/checks.hpp"
 #include "sequence/element_names.hpp"
 #include "sequence/frame_list.hpp"
+#include "sequence/own_neighbours.hpp"
 #include "sequence/report_json.hpp"
 
 namespace touchstone::cli {
@@ -255,11 +256,21 @@ int run_mesh(const MeshRunOptions& options) {
   const int threads = thread_count(options.threads);
 
   // The first frame is read alone: the other ones share its elements.
-  const auto first = source.read(range.first);
+  const auto start = options.self ? source.read(0) : nullptr;  // it says which pairs are neighbours, for shards, too
+  const auto first = range.first == 0 && start != nullptr ? start : source.read(range.first);
+  if (start != nullptr) {
+    sequence::check_same_elements(*start->topology, names.front(), *first->topology, names[range.first]);
+  }
   const std::string& first_file = source.elements_file(range.first);
   heading.parts = sequence::part_rules_of(*first->topology, options.parts, first_file);
   Mesh mesh = sequence::mesh_of(*first->topology, separation, first_file, heading.parts);
   if (!may_differ(options)) heading.facts = sequence::facts_of(mesh, *first->topology);
+  if (options.self) {
+    const Positions positions(start->positions, start->topology->dimension);
+    const auto pairs = sequence::own_neighbours(mesh, positions, *options.self, threads);
+    heading.self = {*options.self, pairs.size(), start->digest};
+    mesh = sequence::touching_alone(mesh, pairs);
+  }
   std::optional<MotionProofs> proofs;  // a folder that is refused is found before a journal is made
   if (!options.prove.empty()) proofs.emplace(options.prove, motion_elements(mesh), separation, threads);
   std::optional<io::OutputFile> page;

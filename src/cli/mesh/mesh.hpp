@@ -20,6 +20,7 @@ struct MeshRunOptions {
   bool check = false;              ///< asks about each frame at rest
   bool as_parts = false;           ///< each argument is a part of one scene; with `check` each file is
   SeparationOption separation;
+  std::optional<double> self;  ///< neighbours along edges that are shorter in sum are asked about touching alone
   sequence::PartOptions parts;
   sequence::RepairOptions repairs;
   bool clearance = false;  ///< asks for the least distance, too

@@ -81,6 +81,20 @@ void add_mesh(CLI::App& program, Command& command) {
       subcommand->add_flag("--between-parts", options->parts.between_parts, "Do not ask about pairs within one part")
           ->excludes(only_between);
   subcommand
+      ->add_option_function<std::string>(
+          "--self", [options](const std::string& text) { options->self = *io::parse_finite_double(text); },
+          "Ask about the separation within a part, too, but not of its own neighbours: two elements that are within "
+          "it in the first frame, and that edges connect whose lengths have a sum below LENGTH, are asked about "
+          "touching alone")
+      ->type_name("LENGTH")
+      ->needs(separation)
+      ->excludes(between)
+      ->check([](const std::string& text) {
+        const auto length = io::parse_finite_double(text);
+        if (!length) return text + fault_of_number(text);
+        return *length > 0 ? std::string() : text + " must be greater than 0";
+      });
+  subcommand
       ->add_option("--threads", options->threads,
                    "The number of threads (default: all that the machine has); no result depends on it")
       ->type_name("N")
@@ -128,7 +142,8 @@ void add_mesh(CLI::App& program, Command& command) {
       ->excludes(check)
       ->excludes(only_between)
       ->excludes(ignore)
-      ->excludes(between);
+      ->excludes(between)
+      ->excludes("--self");
   subcommand
       ->add_option("--topology", options->topology,
                    "The file with the elements of the mesh, for frames that hold positions only")

@@ -39,6 +39,11 @@ std::string json_of(const PartRules& rules) {
   return text + fmt::format("], \"within\": {}}}", within);
 }
 
+std::string shown_self(const std::optional<SelfRule>& self) {
+  return self ? fmt::format("separations within a surface beyond edges of {}", self->length)
+              : std::string("separations of all pairs alike");
+}
+
 std::string shown_scene(const std::optional<SceneFacts>& scene) {
   return scene ? fmt::format("a scene of {} parts with {} of them at rest", scene->parts, scene->at_rest)
                : std::string("frames of one mesh");
@@ -89,6 +94,10 @@ std::string heading_json(const Heading& heading) {
   }
   if (!heading.parts.empty()) text += ",\n " + json_of(heading.parts);
   if (heading.clearance) text += ",\n \"clearance\": true";
+  if (const auto& self = heading.self) {
+    text += fmt::format(",\n \"self\": {{\"length\": \"{}\", \"pairs\": {}, \"frame_sha256\": \"{}\"}}",
+                        io::hexfloat(self->length), self->pairs, self->frame_digest);
+  }
   if (const auto& scene = heading.scene) {
     text += fmt::format(",\n \"scene\": {{\"parts\": {}, \"at_rest\": {}, \"numbered\": {}}}", scene->parts,
                         scene->at_rest, scene->numbered);
@@ -144,6 +153,11 @@ std::string difference_of(const Heading& a, const Heading& b, std::string_view o
   if (a.clearance != b.clearance) {
     return differ(a.clearance ? "the least distance, too" : "contacts alone",
                   b.clearance ? "the least distance, too" : "contacts alone");
+  }
+  if (a.self != b.self) {
+    const bool other_frame = a.self && b.self && a.self->length == b.self->length;
+    return other_frame ? differ("another first frame", "the first frame given")
+                       : differ(shown_self(a.self), shown_self(b.self));
   }
   if (a.scene != b.scene) return differ(shown_scene(a.scene), shown_scene(b.scene));
   if (a.dt != b.dt) {

@@ -106,6 +106,13 @@ Heading heading_of(const JsonNode& root) {
     heading.clearance = clearance->boolean();
     if (!heading.clearance) clearance->fail("must be true, or not be there");
   }
+  if (const auto self = root.find("self")) {
+    self->check_keys({"length", "pairs", "frame_sha256"});
+    const auto length = io::parse_finite_double(self->at("length").text());
+    if (!length || !(*length > 0)) self->at("length").fail("must be a hexfloat greater than 0");
+    heading.self = {*length, self->at("pairs").whole_number(0, kMostPairs), digest_from(self->at("frame_sha256"))};
+    if (!steps || heading.separation.distance == 0) self->fail("must be beside steps and a separation");
+  }
   if (const auto scene = root.find("scene")) {
     scene->check_keys({"parts", "at_rest", "numbered"});
     const std::size_t parts = scene->at("parts").whole_number(1, kMostElements);
@@ -139,8 +146,8 @@ Report report_from(std::string_view text) {
   const json::JsonDocument document = json::parse_json(text);
   const JsonNode root(document.value(), "the report");
   root.check_keys({"sha256", "touchstone_mesh", "touchstone", "question", "separation", "metric", "frame_count",
-                   "names_sha256", "shard", "parts", "clearance", "scene", "dt", "mesh", "frames", "results", "counts",
-                   "warnings"});
+                   "names_sha256", "shard", "parts", "clearance", "self", "scene", "dt", "mesh", "frames", "results",
+                   "counts", "warnings"});
   Report report;
   report.heading = heading_of(root);
   const Question question = report.heading.question;

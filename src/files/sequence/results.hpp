@@ -204,6 +204,15 @@ struct SceneFacts {
   bool operator==(const SceneFacts& other) const = default;
 };
 
+/// Within a surface: which pairs are asked about touching alone (own_neighbours).
+struct SelfRule {
+  double length = 0;         ///< positive
+  std::size_t pairs = 0;     ///< how many they are
+  std::string frame_digest;  ///< of the first frame of all, which says which pairs
+
+  bool operator==(const SelfRule& other) const = default;
+};
+
 /// What a report is about. Two runs with the same heading differ in the content of their frames only.
 struct Heading {
   std::string program;  ///< the version
@@ -211,6 +220,7 @@ struct Heading {
   Separation separation;
   PartRules parts;                  ///< which parts were asked about
   bool clearance = false;           ///< whether the least distance was asked for, too
+  std::optional<SelfRule> self;     ///< where neighbours along a surface do not count
   std::optional<SceneFacts> scene;  ///< where each part has frames of its own
   std::optional<double> dt;         ///< the second frame is the first one and so many times a file of velocities
 

@@ -125,6 +125,13 @@ std::vector<std::string> warnings_of(const Heading& heading, const std::vector<F
                     counted(joined, "vertex")));
   }
   for (const std::string& text : left_out_by(heading.parts)) warnings.push_back(text);
+  if (const auto& self = heading.self) {
+    warnings.push_back(
+        fmt::format("{} that {} within the separation and {} connected by edges of less than {} {} asked about "
+                    "touching alone",
+                    counted(self->pairs, "pair"), self->pairs == 1 ? "starts" : "start",
+                    self->pairs == 1 ? "is" : "are", self->length, self->pairs == 1 ? "was" : "were"));
+  }
   if (heading.scene && heading.scene->at_rest > 0) {
     const auto [parts, at_rest, numbered] = *heading.scene;
     std::string text = fmt::format("{} of {} {} at rest in all frames", io::grouped(at_rest), counted(parts, "part"),
