@@ -1,4 +1,4 @@
-// touchstone mesh --parts: parts with frames of their own; --self: separations within a part.
+// touchstone mesh --parts: parts with frames of their own; separations within a part, and classes of parts.
 // SPDX-License-Identifier: MIT
 #include <filesystem>
 #include <limits>
@@ -250,4 +250,76 @@ TEST_CASE("a separation within a part leaves out its own neighbours, counts them
   check_refused(wide({"--self", "nan"}), "--self: ");
   check_refused(wide({"--self", "1", "--between-parts"}), "--between-parts excludes --self");
   check_refused(wide({"--self", "1", "--prove", folder.path("p")}), "--self excludes --prove");
+}
+
+namespace {
+
+std::string cube(const std::vector<double>& low, const std::vector<double>& high, int first = 1) {
+  std::string text;
+  for (unsigned v = 0; v < 8; ++v) {
+    text += "v";
+    for (unsigned k = 0; k < 3; ++k) text += " " + std::to_string((v >> k & 1) != 0 ? high[k] : low[k]);
+    text += "\n";
+  }
+  for (const std::vector<int>& side :
+       {std::vector{0, 4, 6, 2}, {1, 3, 7, 5}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 2, 3, 1}, {4, 5, 7, 6}}) {
+    text += "f";
+    for (const int corner : side) text += " " + std::to_string(corner + first);
+    text += "\n";
+  }
+  return text;
+}
+
+}  // namespace
+
+TEST_CASE("classes of parts are on the console, in the verdict and in the report") {
+  const TemporaryFolder folder;
+  const std::vector<std::string> files = {
+      folder.write("slab.obj", cube({0, 0, -1}, {4, 4, 0})), folder.write("wall.obj", cube({0, 0, 0}, {4, 0.5, 3})),
+      folder.write("pipe.obj", cube({1, -1, 1}, {2, 2, 2})), folder.write("bolt.obj", cube({3, 0, 1}, {3.5, 0.25, 2})),
+      folder.write("copy.obj", cube({1, -1, 1}, {2, 2, 2})), folder.write("far.obj", cube({9, 9, 9}, {10, 10, 10}))};
+  const std::vector<std::string> question = {"--check", "--parts", "--classes", "--triangulate"};
+  const Run run = mesh(with(question, with({"--report", folder.path("r.json")}, files)));
+  CAPTURE(run.out, run.err);
+  CHECK(run.status == 1);
+  CHECK(occurrences(run.out,
+                    "\n  slab and wall: touching\n  wall and pipe: overlapping\n  bolt is inside wall\n"
+                    "  wall and copy: overlapping\n  pipe and copy: same\n") == 1);
+  CHECK(occurrences(verdict(run),
+                    "; 5 pairs of parts not clear of each other: 1 touching, 2 overlapping, 1 inside, 1 "
+                    "same (48 vertices, ") == 1);
+  const auto report = nlohmann::json::parse(folder.read("r.json"));
+  CHECK(report["classes"] == true);
+  CHECK(report["counts"]["classes"].dump() == R"({"crossing":0,"inside":1,"overlapping":2,"same":1,"touching":1})");
+  CHECK(report["results"][0]["classes"][2].dump() == R"({"class":"inside","first":"bolt","second":"wall"})");
+
+  // The report is read again, and is another one without the classes.
+  CHECK(mesh(with(question, with({"--report", folder.path("r.json"), "--resume"}, files))).out == run.out);
+  const Run other =
+      mesh(with({"--check", "--parts", "--triangulate", "--report", folder.path("r.json"), "--resume"}, files));
+  CHECK(other.status == 2);
+  CHECK(occurrences(other.err, "is about classes of parts, too, and this run about intersections alone") == 1);
+
+  // The rules of parts count, and the exit status is that of the intersections.
+  const Run only = mesh(with(question, with({"--only-between", "wall,*"}, files)));
+  CHECK(occurrences(only.out, "pipe and copy: same") == 0);
+  CHECK(occurrences(only.out, "slab and wall: touching") == 1);
+  const Run clear = mesh(with(question, {files[0], files[5]}));
+  CHECK(clear.status == 0);
+  CHECK(occurrences(verdict(clear), "1 frame, no intersection; all parts are clear of each other (") == 1);
+
+  // Objects of one file are parts, in each of several frames.
+  const std::string first = "o a\n" + cube({0, 0, 0}, {1, 1, 1}) + "o b\n";
+  const std::vector<std::string> frames = {folder.write("f-1.obj", first + cube({1, 0, 0}, {2, 1, 1}, 9)),
+                                           folder.write("f-2.obj", first + cube({2, 0, 0}, {3, 1, 1}, 9))};
+  const Run objects = mesh(with({"--check", "--classes", "--triangulate"}, frames));
+  CHECK(occurrences(objects.out, "\n  a and b: touching\n") == 1);
+  CHECK(occurrences(verdict(objects), "; 1 pair of parts not clear of each other: 1 touching (") == 1);
+
+  check_refused(mesh(with({"--classes", "--triangulate"}, frames)), "--classes requires --check");
+  check_refused(mesh({"--check", "--classes", "--triangulate", files[0]}), "slab.obj: has no two parts for --classes");
+  const std::string shared =
+      folder.write("shared.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\no a\nf 1 2 3\no b\nf 2 4 3\n");
+  check_refused(mesh({"--check", "--classes", shared}), "vertex 2 is in the parts a and b");
+  check_refused(mesh(with({"--check", "--in-order", "--classes", "--triangulate"}, frames)), "--in-order: ");
 }

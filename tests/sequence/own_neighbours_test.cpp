@@ -1,6 +1,6 @@
 // Pairs that are near along a surface: against every pair, by the oracle and by all chains of edges.
 // SPDX-License-Identifier: MIT
-#include "sequence/own_neighbours.hpp"
+#include "sequence/parts/own_neighbours.hpp"
 
 #include <cmath>
 #include <limits>

@@ -1,6 +1,6 @@
 // The parts that are asked about: names and patterns, and what they mean for vertices.
 // SPDX-License-Identifier: MIT
-#include "sequence/part_rules.hpp"
+#include "sequence/parts/part_rules.hpp"
 
 #include "sequence/checks.hpp"
 #include "sequence/refusal.hpp"

@@ -41,9 +41,9 @@ std::string refusal_of(const std::string& text) {
 
 bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
-/// The sample with `from` replaced by `to`, and a seal that holds.
-std::string forged(const std::string& from, const std::string& to) {
-  std::string text = report_text(sample_report());
+/// The report with `from` replaced by `to`, and a seal that holds.
+std::string forged(const std::string& from, const std::string& to, const Report& report = sample_report()) {
+  std::string text = report_text(report);
   text = "{" + text.substr(text.find('\n') + 1);
   const std::size_t at = text.find(from);
   REQUIRE(at != std::string::npos);
@@ -152,6 +152,36 @@ TEST_CASE("a report about frames at rest has the one mesh of all frames, or that
       "cccccccccccccccc");
   each.frames[1].facts.reset();
   CHECK(has(refusal_of(report_text(each)), "frames[1]"));
+}
+
+TEST_CASE("a report has the classes of parts") {
+  Report report;
+  report.heading.question = Question::rest;
+  report.heading.program = "0.1.0";
+  report.heading.frame_count = 1;
+  report.heading.list_digest = std::string(64, 'b');
+  report.heading.facts = MeshFacts{std::string(64, 'a'), 3, 16, 24, 36, 0};
+  report.heading.classes = true;
+  report.frames.push_back({"c", std::string(64, 'd')});
+  report.results.push_back(result_at(Question::rest, {0, 1}, 0));
+  using Class = mesh::Relation;
+  report.results[0].classes = {{"a", "b", Class::touching}, {"a", "c", Class::inside}, {"c", "d", Class::inside}};
+  const std::string text = report_text(report);
+  CHECK(report_text(report_from(text)) == text);
+  CHECK(nlohmann::json::parse(text)["counts"]["classes"].dump() ==
+        R"({"crossing":0,"inside":2,"overlapping":0,"same":0,"touching":1})");
+  const auto refused = [&](const std::string& from, const std::string& to, const std::string& words) {
+    CAPTURE(from, to);
+    CHECK(has(refusal_of(forged(from, to, report)), words));
+  };
+  refused("\"class\":\"inside\"", "\"class\":\"around\"", "class: is no name that belongs here");
+  refused("\"class\":\"inside\"", "\"class\":\"near\"", "class: is no name that belongs here");
+  refused("\"first\":\"c\"", "\"first\":\"\"", "must be one line of text");
+  refused("\"inside\": 2", "\"inside\": 1", "not as touchstone mesh writes it");
+  refused(",\n \"classes\": true", "", "results[0]: has classes, and the heading does not say so");
+  refused("\"classes\": true", "\"classes\": false", "classes: must be true beside frames at rest");
+  report.results[0].classes.reset();
+  CHECK(has(refusal_of(report_text(report)), "results[0]: has no classes, and the heading says true"));
 }
 
 TEST_CASE("shards divide the steps evenly, each step once, and neighbours share a frame") {

@@ -1,6 +1,6 @@
 // The parts of a scene: their names, and the labels of its frames.
 // SPDX-License-Identifier: MIT
-#include "sequence/scene_parts.hpp"
+#include "sequence/parts/scene_parts.hpp"
 
 #include <filesystem>
 

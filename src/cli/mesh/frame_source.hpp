@@ -11,8 +11,8 @@
 #include "cli/mesh/mesh.hpp"
 #include "frames/frame.hpp"
 #include "sequence/frame_list.hpp"
+#include "sequence/parts/scene_frames.hpp"
 #include "sequence/repairs.hpp"
-#include "sequence/scene_frames.hpp"
 
 namespace touchstone::cli {
 

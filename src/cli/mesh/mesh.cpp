@@ -28,7 +28,7 @@
 #include "sequence/checks.hpp"
 #include "sequence/element_names.hpp"
 #include "sequence/frame_list.hpp"
-#include "sequence/own_neighbours.hpp"
+#include "sequence/parts/own_neighbours.hpp"
 #include "sequence/report_json.hpp"
 
 namespace touchstone::cli {
@@ -84,6 +84,7 @@ sequence::Heading heading_for(const MeshRunOptions& options, const FrameSource& 
   heading.question = options.check ? Question::rest : Question::steps;
   heading.separation = options.separation.separation;
   heading.clearance = options.clearance;
+  heading.classes = options.classes;
   if (heading.separation.distance == 0 && !heading.clearance) {
     heading.separation.metric = Metric::euclidean;  // it has no meaning
   }
@@ -105,7 +106,7 @@ sequence::Heading heading_for(const MeshRunOptions& options, const FrameSource& 
 
 /// The names of parts belong to one mesh.
 void check_parts(const MeshRunOptions& options, const std::vector<FrameName>& names) {
-  if (options.parts.empty() || !may_differ(options) || names.size() == 1) return;
+  if ((options.parts.empty() && !options.classes) || !may_differ(options) || names.size() == 1) return;
   throw Error(
       "--in-order: with --check each file is a mesh by itself, and parts are those of one mesh; check the files "
       "one by one");
@@ -140,7 +141,7 @@ class Checker {
         separation_(heading.separation),
         parts_(heading.parts),
         range_(sequence::range_of(heading)),
-        how_{threads, heading.clearance, &interruption()},
+        how_{threads, heading.clearance, heading.classes, &interruption()},
         proofs_(proofs),
         animation_(animation) {}
 
@@ -155,7 +156,7 @@ class Checker {
     const FrameName& name = names_[index];
     if (before_ != nullptr && !may_differ(options_)) {
       sequence::check_same_elements(*before_->topology, names_[index - 1], *frame->topology, name);
-      if (!parts_.empty()) {
+      if (!parts_.empty() || how_.classes) {
         sequence::check_same_parts(*before_->topology, names_[index - 1], *frame->topology, name);
       }
     }
@@ -264,6 +265,7 @@ int run_mesh(const MeshRunOptions& options) {
   const std::string& first_file = source.elements_file(range.first);
   heading.parts = sequence::part_rules_of(*first->topology, options.parts, first_file);
   Mesh mesh = sequence::mesh_of(*first->topology, separation, first_file, heading.parts);
+  if (options.classes) sequence::check_has_classes(*first->topology, first_file);
   if (!may_differ(options)) heading.facts = sequence::facts_of(mesh, *first->topology);
   if (options.self) {
     const Positions positions(start->positions, start->topology->dimension);

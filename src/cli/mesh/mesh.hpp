@@ -24,6 +24,7 @@ struct MeshRunOptions {
   sequence::PartOptions parts;
   sequence::RepairOptions repairs;
   bool clearance = false;  ///< asks for the least distance, too
+  bool classes = false;    ///< asks how parts lie to each other, too
   int threads = 0;         ///< 0: all that the machine has
   std::optional<sequence::Shard> shard;
   std::string report, pairs, queries, prove;

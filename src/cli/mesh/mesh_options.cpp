@@ -57,6 +57,11 @@ void add_mesh(CLI::App& program, Command& command) {
       "--clearance", options->clearance,
       "Find the least distance of two elements in each step, too, or at rest with --check: rounded up "
       "to a double, between the elements as they are. Elements of one part count that share no vertex");
+  subcommand
+      ->add_flag("--classes", options->classes,
+                 "Say how each two parts lie to each other, too: touching, overlapping, one inside the other, the same "
+                 "or, where one has no inside, crossing. The other pairs are clear of each other")
+      ->needs(check);
   CLI::Option* const metric = subcommand->get_option("--metric");
   metric->remove_needs(separation);  // one of two is needed
   const auto pair_of_parts = [](const std::string& text) {
@@ -186,6 +191,7 @@ void add_mesh(CLI::App& program, Command& command) {
       "  touchstone mesh --check body.ply\n"
       "  touchstone mesh --check --clearance --between-parts engine.obj\n"
       "  touchstone mesh --check --parts --clearance --between-parts hull.stl wheel-*.stl\n"
+      "  touchstone mesh --check --parts --classes wall-*.stl\n"
       "  touchstone mesh --parts --clearance --between-parts plate.obj 'lid-*.obj' arm/\n"
       "  touchstone mesh --clearance --only-between 'gripper*,bottle' grasp-*.obj\n"
       "  touchstone mesh --in-order rest.obj bent.obj\n"

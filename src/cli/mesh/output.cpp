@@ -190,10 +190,15 @@ std::string MeshOutput::lines_of(const sequence::Result& result, const frames::F
   const std::string clearance = clearance_of(result, report_.heading.separation);
   const std::string more = clearance.empty() ? clearance : "; " + clearance;
   if (!result.step) {
-    if (result.free()) return label(result.frame) + ": no intersection" + more + "\n";
+    std::string classes;
+    for (const auto& [a, b, sort] : result.classes.value_or(std::vector<sequence::PartRelation>())) {
+      classes += sort == mesh::Relation::inside ? fmt::format("  {} is inside {}\n", a, b)
+                                                : fmt::format("  {} and {}: {}\n", a, b, name_of(sort));
+    }
+    if (result.free()) return label(result.frame) + ": no intersection" + more + "\n" + classes;
     std::string text = fmt::format("{}: {}\n", label(result.frame), intersections_of(result));
     if (result.coinciding > 0) text += fmt::format("  {} vertices lie exactly on others\n", grouped(result.coinciding));
-    return text + intersection_lines(result.intersections, "  ");
+    return text + intersection_lines(result.intersections, "  ") + classes;
   }
   std::string text = label(result.frame) + " -> " + label(result.frame + 1) + ": ";
   if (result.free()) {

@@ -39,6 +39,23 @@ std::string least_distance_for_person(double distance, Metric metric) {
   return fmt::format("least distance {}{}", distance, metric == Metric::max ? " in the max metric" : "");
 }
 
+namespace {
+
+std::string classes_for_person(const sequence::ResultCounts& counts) {
+  std::string text;
+  std::size_t all = 0;
+  for (std::size_t i = 0; i < counts.classes.size(); ++i) {
+    if (counts.classes[i] == 0) continue;
+    all += counts.classes[i];
+    text += fmt::format("{}{} {}", text.empty() ? "" : ", ", grouped(counts.classes[i]),
+                        name_of(static_cast<mesh::Relation>(i)));
+  }
+  if (all == 0) return "all parts are clear of each other";
+  return fmt::format("{} of parts not clear of each other: {}", counted(all, "pair"), text);
+}
+
+}  // namespace
+
 std::string counts_for_person(const sequence::Heading& heading, const std::vector<sequence::FrameEntry>& frames,
                               const sequence::ResultCounts& counts) {
   const bool steps = heading.question == sequence::Question::steps;
@@ -66,6 +83,7 @@ std::string counts_for_person(const sequence::Heading& heading, const std::vecto
       text += fmt::format(" in {}{}", name(least->frame), least->step ? " -> " + name(least->frame + 1) : "");
     }
   }
+  if (heading.classes) text += "; " + classes_for_person(counts);
   text += " (" + sequence::scope_of(heading, frames);
   if (heading.separation.distance > 0) text += "; " + separation_for_person(heading.separation);
   text += ")";

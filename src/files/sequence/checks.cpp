@@ -152,6 +152,19 @@ EnclosedCounts counts_of(const std::vector<EnclosedPart>& enclosed, ElementNames
   return counts;
 }
 
+std::vector<PartRelation> relations_of(const Mesh& mesh, const Frame& frame, const MeshOptions& options) {
+  const Topology& topology = *frame.topology;
+  const auto count = static_cast<std::uint32_t>(topology.parts.size());
+  std::vector<PartRelation> relations;
+  for (const auto& [a, b, sort] :
+       mesh::group_relations(mesh, positions_of(frame), parts_of_vertices(topology, {}), count, options)) {
+    const bool swapped = sort == mesh::Relation::around;
+    relations.push_back({shown_part(topology.parts[swapped ? b : a]), shown_part(topology.parts[swapped ? a : b]),
+                         swapped ? mesh::Relation::inside : sort});
+  }
+  return relations;
+}
+
 }  // namespace
 
 std::vector<MeshIndex> loose_points(const Topology& topology) {
@@ -199,6 +212,14 @@ Mesh mesh_of(const Topology& topology, const Separation& separation, const std::
   }
 }
 
+void check_has_classes(const Topology& topology, const std::string& file) {
+  if (topology.dimension != 3) io::fail(file, "is a mesh in the plane, and --classes is about parts in space");
+  if (topology.parts.size() < 2) {
+    io::fail(file, "has no two parts for --classes: they are objects or groups of the file, or files with --parts");
+  }
+  static_cast<void>(parts_of_vertices(topology, file));
+}
+
 void check_positions(const Frame& frame, const FrameName& name) {
   const auto dimension = static_cast<std::size_t>(frame.topology->dimension);
   const auto found =
@@ -244,6 +265,7 @@ Result check_frame(const Mesh& mesh, const Frame& frame, std::size_t index, cons
   result.in_open = inside.in_open;
   result.flat = flat_faces(mesh, positions_of(frame));
   if (!result.free()) result.coinciding = coinciding_vertices(mesh, positions_of(frame));
+  if (how.classes) result.classes = relations_of(mesh, frame, options);
   if (how.clearance) result.clearance = clearance_of(distance(mesh, positions_of(frame), options), names);
   return result;
 }

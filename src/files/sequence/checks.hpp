@@ -29,8 +29,13 @@ Mesh mesh_of(const frames::Topology& topology, const Separation& separation, con
 struct CheckOptions {
   int threads = 1;
   bool clearance = false;                   ///< whether the least distance is asked for, too
+  bool classes = false;                     ///< of frames: whether it is asked for how parts lie to each other
   const std::atomic<bool>* stop = nullptr;  ///< as MeshOptions has it
 };
+
+/// @throws FileError  for a mesh whose parts have no classes: one in the plane, one with fewer than two parts, or one
+///                    whose parts share vertices
+void check_has_classes(const frames::Topology& topology, const std::string& file);
 
 /// @throws FileError  for a coordinate that is not finite, by the vertex's number in the file
 void check_positions(const frames::Frame& frame, const FrameName& name);

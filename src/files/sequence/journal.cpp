@@ -59,7 +59,10 @@ Finished finished_from(const std::string& text, const Result& right, const Headi
       finished.result.frame != right.frame) {
     root.fail("is about another frame or step than its place in the file");
   }
-  if (finished.result.clearance.has_value() != heading.clearance) root.fail("answers another question");
+  if (finished.result.clearance.has_value() != heading.clearance ||
+      finished.result.classes.has_value() != heading.classes) {
+    root.fail("answers another question");
+  }
   return finished;
 }
 

@@ -94,6 +94,7 @@ std::string heading_json(const Heading& heading) {
   }
   if (!heading.parts.empty()) text += ",\n " + json_of(heading.parts);
   if (heading.clearance) text += ",\n \"clearance\": true";
+  if (heading.classes) text += ",\n \"classes\": true";
   if (const auto& self = heading.self) {
     text += fmt::format(",\n \"self\": {{\"length\": \"{}\", \"pairs\": {}, \"frame_sha256\": \"{}\"}}",
                         io::hexfloat(self->length), self->pairs, self->frame_digest);
@@ -130,6 +131,15 @@ std::string report_text(const Report& report) {
   if (counts.least_distance && std::isfinite(counts.least_distance->distance)) {
     text += fmt::format(", \"least_distance\": \"{}\"", io::hexfloat(counts.least_distance->distance));
   }
+  if (report.heading.classes) {
+    text += ", \"classes\": {";
+    for (std::size_t i = 0; i < mesh::kRelations; ++i) {
+      const auto sort = static_cast<mesh::Relation>(i);
+      if (sort == mesh::Relation::clear || sort == mesh::Relation::around) continue;
+      text += fmt::format("{}\"{}\": {}", text.ends_with('{') ? "" : ", ", name_of(sort), counts.classes[i]);
+    }
+    text += "}";
+  }
   text += "},\n \"warnings\": [";
   std::vector<std::string> warnings = warnings_of(report.heading, report.frames, counts);
   if (const std::string cause = likely_cause(report.heading, counts); !cause.empty()) warnings.push_back(cause);
@@ -153,6 +163,10 @@ std::string difference_of(const Heading& a, const Heading& b, std::string_view o
   if (a.clearance != b.clearance) {
     return differ(a.clearance ? "the least distance, too" : "contacts alone",
                   b.clearance ? "the least distance, too" : "contacts alone");
+  }
+  if (a.classes != b.classes) {
+    return differ(a.classes ? "classes of parts, too" : "intersections alone",
+                  b.classes ? "classes of parts, too" : "intersections alone");
   }
   if (a.self != b.self) {
     const bool other_frame = a.self && b.self && a.self->length == b.self->length;

@@ -106,6 +106,10 @@ Heading heading_of(const JsonNode& root) {
     heading.clearance = clearance->boolean();
     if (!heading.clearance) clearance->fail("must be true, or not be there");
   }
+  if (const auto classes = root.find("classes")) {
+    heading.classes = classes->boolean();
+    if (!heading.classes || steps) classes->fail("must be true beside frames at rest, or not be there");
+  }
   if (const auto self = root.find("self")) {
     self->check_keys({"length", "pairs", "frame_sha256"});
     const auto length = io::parse_finite_double(self->at("length").text());
@@ -145,9 +149,10 @@ Report report_from(std::string_view text) {
   }
   const json::JsonDocument document = json::parse_json(text);
   const JsonNode root(document.value(), "the report");
-  root.check_keys({"sha256", "touchstone_mesh", "touchstone", "question", "separation", "metric", "frame_count",
-                   "names_sha256", "shard", "parts", "clearance", "self", "scene", "dt", "mesh", "frames", "results",
-                   "counts", "warnings"});
+  root.check_keys({"sha256",    "touchstone_mesh", "touchstone",   "question", "separation",
+                   "metric",    "frame_count",     "names_sha256", "shard",    "parts",
+                   "clearance", "classes",         "self",         "scene",    "dt",
+                   "mesh",      "frames",          "results",      "counts",   "warnings"});
   Report report;
   report.heading = heading_of(root);
   const Question question = report.heading.question;
@@ -172,6 +177,10 @@ Report report_from(std::string_view text) {
     if (result.clearance.has_value() != report.heading.clearance) {
       results[i].fail(report.heading.clearance ? "has no clearance, and the heading says true"
                                                : "has a clearance, and the heading does not say so");
+    }
+    if (result.classes.has_value() != report.heading.classes) {
+      results[i].fail(report.heading.classes ? "has no classes, and the heading says true"
+                                             : "has classes, and the heading does not say so");
     }
     report.results.push_back(std::move(result));
   }

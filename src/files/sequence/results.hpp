@@ -14,7 +14,8 @@
 #include <touchstone/mesh.hpp>
 #include <touchstone/query.hpp>
 
-#include "sequence/part_rules.hpp"
+#include "mesh/group_relations/group_relations.hpp"
+#include "sequence/parts/part_rules.hpp"
 
 namespace touchstone::sequence {
 
@@ -83,6 +84,12 @@ struct Clearance {
   bool starts_intersecting() const noexcept { return distance == 0 && pairs == 0; }
 };
 
+/// Two parts that are not clear of each other.
+struct PartRelation {
+  std::string first, second;                       ///< their names
+  mesh::Relation sort = mesh::Relation::touching;  ///< never `around`: the first one is inside the second
+};
+
 /// What was found about a frame at rest, or about the step from a frame to the next.
 struct Result {
   bool step = false;      ///< a step
@@ -108,6 +115,8 @@ struct Result {
   std::size_t turning = 0;  ///< of a step: turning_faces
 
   std::optional<Clearance> clearance;  ///< where it was asked for
+
+  std::optional<std::vector<PartRelation>> classes;  ///< of a frame at rest, where they were asked for
 
   bool free() const noexcept { return first.empty() && at_start.empty() && intersections.empty(); }
 };
@@ -220,6 +229,7 @@ struct Heading {
   Separation separation;
   PartRules parts;                  ///< which parts were asked about
   bool clearance = false;           ///< whether the least distance was asked for, too
+  bool classes = false;             ///< whether it was asked for how parts lie to each other
   std::optional<SelfRule> self;     ///< where neighbours along a surface do not count
   std::optional<SceneFacts> scene;  ///< where each part has frames of its own
   std::optional<double> dt;         ///< the second frame is the first one and so many times a file of velocities
@@ -259,12 +269,17 @@ struct ResultCounts {
   std::optional<LeastDistance> least_distance;  ///< of Result::clearance; nothing where it was not asked for
   bool ends_intersecting = false;  ///< whether the frame at the end of the last result is known to intersect itself
 
+  std::array<std::size_t, mesh::kRelations> classes{};  ///< pairs of parts of each class in all frames, but clear
+
   bool all_free() const noexcept { return free == results && intersections.all == 0; }
   void add(Question question, const Result& result) {
     flat = result.flat > flat ? result.flat : flat;
     in_open = result.in_open > in_open ? result.in_open : in_open;
     turning = result.turning > turning ? result.turning : turning;
     coinciding = result.coinciding > coinciding ? result.coinciding : coinciding;
+    if (result.classes) {
+      for (const PartRelation& one : *result.classes) ++classes[static_cast<std::size_t>(one.sort)];
+    }
     if (result.clearance) {
       const double distance = result.clearance->distance;
       if (!least_distance || distance < least_distance->distance) {

@@ -64,6 +64,11 @@ std::string json_of(const Clearance& clearance, io::Numbers form) {
                             json_of(clearance.toi_upper, form), clearance.pairs, json_of(clearance.pair));
 }
 
+std::string json_of(const PartRelation& one) {
+  return fmt::format("{{\"first\":{},\"second\":{},\"class\":\"{}\"}}", json_string(one.first), json_string(one.second),
+                     name_of(one.sort));
+}
+
 template <class Item>
 std::string list_json(const std::vector<Item>& items) {
   std::string text = "[";
@@ -127,6 +132,19 @@ EnclosedCounts enclosed_from(const JsonNode& node) {
   return enclosed;
 }
 
+PartRelation relation_from(const JsonNode& node) {
+  node.check_keys({"first", "second", "class"});
+  PartRelation one{clean_text_from(node.at("first")), clean_text_from(node.at("second"))};
+  const std::string name = node.at("class").text();
+  for (std::size_t i = 0; i < mesh::kRelations; ++i) {
+    one.sort = static_cast<mesh::Relation>(i);
+    if (name_of(one.sort) == name && one.sort != mesh::Relation::clear && one.sort != mesh::Relation::around) {
+      return one;
+    }
+  }
+  node.at("class").fail("is no name that belongs here");
+}
+
 template <class Item, class From>
 std::vector<Item> list_from(const JsonNode& node, From from) {
   std::vector<Item> list;
@@ -154,6 +172,7 @@ std::string members_json(std::string text, const Result& result, io::Numbers for
   if (result.in_open > 0) text += fmt::format(",\"parts_in_open_surfaces\":{}", result.in_open);
   if (result.turning > 0) text += fmt::format(",\"turning_faces\":{}", result.turning);
   if (result.clearance) text += ",\"clearance\":" + json_of(*result.clearance, form);
+  if (result.classes) text += ",\"classes\":" + list_json(*result.classes);
   if (result.free()) return text + "}";
   if (result.step) {
     const auto time = [&](double value) { return result.first.empty() ? std::string("null") : json_of(value, form); };
@@ -215,7 +234,10 @@ Result result_from(const JsonNode& node) {
     if (const auto turning = node.find("turning_faces")) result.turning = turning->whole_number(1, kMostNumber);
   } else {
     node.check_keys({"frame", "free", "enclosed_parts", "flat_faces", "parts_in_open_surfaces", "intersections",
-                     "coinciding_vertices", "clearance"});
+                     "coinciding_vertices", "clearance", "classes"});
+    if (const auto classes = node.find("classes")) {
+      result.classes = list_from<PartRelation>(*classes, relation_from);
+    }
     if (const auto enclosed = node.find("enclosed_parts")) result.enclosed = enclosed_from(*enclosed);
     if (const auto flat = node.find("flat_faces")) result.flat = flat->whole_number(1, kMostNumber);
     if (const auto parts = node.find("parts_in_open_surfaces")) result.in_open = parts->whole_number(1, kMostNumber);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "sequence/scene_frames.hpp"
+#include "sequence/parts/scene_frames.hpp"
 
 #include <cstdint>
 #include <limits>

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "frames/frame.hpp"
+#include "sequence/parts/scene_parts.hpp"
 #include "sequence/repairs.hpp"
-#include "sequence/scene_parts.hpp"
 
 namespace touchstone::sequence {
 

@@ -36,10 +36,14 @@ struct PartRules {
 /// @throws FileError  for a mesh without parts, or a name or pattern that none of its parts has
 PartRules part_rules_of(const frames::Topology& topology, const PartOptions& options, const std::string& file);
 
+/// The part of each vertex; the number of parts for vertices in none.
+/// @throws FileError  for a vertex that two parts share: they cannot be told apart there
+std::vector<MeshIndex> parts_of_vertices(const frames::Topology& topology, const std::string& file);
+
 /// The rules as vertices have them. Vertices in no face are in no part: only a list of pairs to ask about leaves them
 /// out.
 /// @param topology  with the names that the rules were made for
-/// @throws FileError  for a vertex that two parts share: they cannot be told apart there
+/// @throws FileError  as parts_of_vertices
 CollisionRules collision_rules(const frames::Topology& topology, const PartRules& rules, const std::string& file);
 
 /// What the rules leave out, for a verdict: "pairs within one part were left out". Empty if that is nothing.

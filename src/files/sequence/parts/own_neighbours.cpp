@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "sequence/own_neighbours.hpp"
+#include "sequence/parts/own_neighbours.hpp"
 
 #include <algorithm>
 #include <array>
@@ -50,26 +50,26 @@ class Chains {
 
   bool are_connected(MeshIndex a, MeshIndex b) { return sets_.root(a) == sets_.root(b); }
 
-  /// Ends when all of `wanted` are found, which has each vertex once, or nothing else is near.
-  void search(const MeshIndex* from, std::size_t count, std::vector<MeshIndex> wanted) {
+  /// Ends when all of `targets` are found, which has each vertex once, or nothing else is near.
+  void search(const MeshIndex* from, std::size_t count, std::vector<MeshIndex> targets) {
     for (const MeshIndex v : seen_) distance_[v] = kFar;
     seen_.clear();
     heap_.clear();
     for (std::size_t i = 0; i < count; ++i) reach(from[i], 0);
-    std::size_t left = wanted.size();
+    std::size_t left = targets.size();
     while (!heap_.empty() && left > 0) {
       std::pop_heap(heap_.begin(), heap_.end(), std::greater<>());
       const auto [distance, v] = heap_.back();
       heap_.pop_back();
       if (distance > distance_[v]) continue;
-      if (std::binary_search(wanted.begin(), wanted.end(), v)) --left;
+      if (std::binary_search(targets.begin(), targets.end(), v)) --left;
       for (std::size_t i = first_[v]; i < first_[v + std::size_t{1}]; ++i) {
         reach(next_[i].second, distance + next_[i].first);
       }
     }
   }
 
-  /// Of a wanted vertex: whether the search has found it.
+  /// Of a targets vertex: whether the search has found it.
   bool is_near(MeshIndex v) const noexcept { return distance_[v] < length_; }
 
  private:
@@ -100,10 +100,7 @@ struct Corners {
   std::size_t second, end;
 
   Corners(const Mesh& mesh, const MeshPair& p)
-      : pair(p),
-        corners(mesh.corners(p)),
-        second(geometry::corners_of_first(p.kind)),
-        end(corner_count(p.kind)) {}
+      : pair(p), corners(mesh.corners(p)), second(geometry::corners_of_first(p.kind)), end(corner_count(p.kind)) {}
 
   bool have_common_vertex() const noexcept {
     return std::find_first_of(corners.begin(), corners.begin() + static_cast<std::ptrdiff_t>(second),
@@ -122,17 +119,17 @@ std::vector<MeshPair> own_neighbours(const Mesh& mesh, const Positions& x, doubl
   Chains chains(mesh, x, length);
   std::vector<Corners> group;  // pairs with one first element
   std::vector<MeshPair> found;
-  std::vector<MeshIndex> wanted;
+  std::vector<MeshIndex> targets;
   const auto take_group = [&] {
     if (group.empty()) return;
-    wanted.clear();
+    targets.clear();
     for (const Corners& one : group) {
-      wanted.insert(wanted.end(), one.corners.begin() + static_cast<std::ptrdiff_t>(one.second),
-                    one.corners.begin() + static_cast<std::ptrdiff_t>(one.end));
+      targets.insert(targets.end(), one.corners.begin() + static_cast<std::ptrdiff_t>(one.second),
+                     one.corners.begin() + static_cast<std::ptrdiff_t>(one.end));
     }
-    std::sort(wanted.begin(), wanted.end());
-    wanted.erase(std::unique(wanted.begin(), wanted.end()), wanted.end());
-    chains.search(group.front().corners.data(), group.front().second, wanted);
+    std::sort(targets.begin(), targets.end());
+    targets.erase(std::unique(targets.begin(), targets.end()), targets.end());
+    chains.search(group.front().corners.data(), group.front().second, targets);
     for (const Corners& one : group) {
       const bool near = std::any_of(one.corners.begin() + static_cast<std::ptrdiff_t>(one.second),
                                     one.corners.begin() + static_cast<std::ptrdiff_t>(one.end),

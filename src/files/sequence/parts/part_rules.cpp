@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "sequence/part_rules.hpp"
+#include "sequence/parts/part_rules.hpp"
 
 #include <fmt/format.h>
 #include <fnmatch.h>
@@ -84,25 +84,30 @@ PartRules part_rules_of(const frames::Topology& topology, const PartOptions& opt
   return rules;
 }
 
+std::vector<MeshIndex> parts_of_vertices(const frames::Topology& topology, const std::string& file) {
+  const auto none = static_cast<MeshIndex>(topology.parts.size());
+  std::vector<MeshIndex> parts(topology.vertex_count, none);
+  if (!topology.vertex_parts.empty()) parts.assign(topology.vertex_parts.begin(), topology.vertex_parts.end());
+  for (std::size_t f = 0; f < topology.face_parts.size(); ++f) {
+    for (const MeshIndex corner : topology.faces[f]) {
+      MeshIndex& part = parts[corner];
+      if (part != none && part != topology.face_parts[f]) {
+        io::fail(file, fmt::format("vertex {} is in the parts {} and {}: elements there are of both. Parts that are "
+                                   "asked about one by one must not share vertices",
+                                   topology.number_of_vertex(corner), io::printable(topology.parts[part]),
+                                   io::printable(topology.parts[topology.face_parts[f]])));
+      }
+      part = topology.face_parts[f];
+    }
+  }
+  return parts;
+}
+
 CollisionRules collision_rules(const frames::Topology& topology, const PartRules& rules, const std::string& file) {
   CollisionRules collision;
   if (rules.empty()) return collision;
   const auto none = static_cast<MeshIndex>(topology.parts.size());
-  collision.groups.assign(topology.vertex_count, none);
-  if (!topology.vertex_parts.empty())
-    collision.groups.assign(topology.vertex_parts.begin(), topology.vertex_parts.end());
-  for (std::size_t f = 0; f < topology.face_parts.size(); ++f) {
-    for (const MeshIndex corner : topology.faces[f]) {
-      MeshIndex& group = collision.groups[corner];
-      if (group != none && group != topology.face_parts[f]) {
-        io::fail(file, fmt::format("vertex {} is in the parts {} and {}: elements there are of both. Parts that are "
-                                   "asked about one by one must not share vertices",
-                                   topology.number_of_vertex(corner), io::printable(topology.parts[group]),
-                                   io::printable(topology.parts[topology.face_parts[f]])));
-      }
-      group = topology.face_parts[f];
-    }
-  }
+  collision.groups = parts_of_vertices(topology, file);
   collision.group_rule = rules.rule;
   std::unordered_multimap<std::string, MeshIndex> numbers;  // of the names as they are shown
   for (MeshIndex part = 0; part < none; ++part) numbers.emplace(io::printable(topology.parts[part]), part);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "sequence/scene_parts.hpp"
+#include "sequence/parts/scene_parts.hpp"
 
 #include <fmt/format.h>
 
