@@ -436,6 +436,13 @@ TEST_CASE("mesh: a checker compares a motion with the frames, bit by bit") {
   with_seventh(seventh + "f 1 2 4\n", 1, "f-7.obj and frame 7: face 2 of the file is none of the motion");
   with_seventh(seventh + "f 1 2 3 4\n", 2, "f-7.obj:10: --frames reads triangles alone");
   with_seventh(seventh + "f 1 2 7\n", 2, "f-7.obj:10: \"7\" is no vertex above this line");
+  // What another reader may take for a face, a line or a point.
+  with_seventh(seventh + "f\\\n 1 2 4\n", 2, "f-7.obj:10: --frames reads no backslash and no control character");
+  with_seventh(seventh + "\ff 1 2 4\n", 2, "f-7.obj:10: --frames reads no backslash and no control character");
+  with_seventh(seventh + "fo 1 2 4\n", 2, "f-7.obj:10: --frames reads no lines \"fo\"");
+  with_seventh(seventh + "l 1 4\n", 1, "f-7.obj and frame 7: a line of the file is no edge of the motion");
+  folder.write("f-7.obj", seventh + "l 1 2 3\np 4\n");
+  CHECK(compared("f-*.obj").status == 0);
   folder.write("f-7.obj", frame(7, "f -3 -2 -1\n"));  // the same vertices
   CHECK(compared("f-*.obj").status == 0);
   refused(2, "no file has such a name", "g-*.obj");
@@ -446,6 +453,16 @@ TEST_CASE("mesh: a checker compares a motion with the frames, bit by bit") {
   cut_off.pop_back();
   folder.write("p-3.ply", cut_off);
   refused(2, "p-3.ply: the file is cut off", "p-*.ply");
+  folder.write("p-3.ply", ply_of(frame(3), "float", true) + "x");
+  refused(2, "p-3.ply: there are bytes after the last element", "p-*.ply");
+  const auto with_header = [&](const std::string& before, const std::string& after, const std::string& message) {
+    std::string text = ply_of(frame(3), "float", true);
+    folder.write("p-3.ply", text.replace(text.find(before), before.size(), after));
+    refused(2, "p-3.ply: " + message, "p-*.ply");
+  };
+  with_header("element face", "element polygon", "--frames reads no element \"polygon\"");
+  with_header("vertex_indices", "vertex_indexes", "faces have a list vertex_index or vertex_indices");
+  with_header("uchar q", "uchar y", "the property \"y\" is there twice");
   folder.write("p-3.ply", "ply\nformat ascii 1.0\nend_header\n");
   refused(2, "p-3.ply: --frames reads binary PLY alone, and OBJ", "p-*.ply");
   // A motion that leaves out a side, or a corner, under a digest of its own.

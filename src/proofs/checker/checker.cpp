@@ -35,7 +35,8 @@ class Checker {
                      std::to_string(contacts_) + ", after the proofs of the last query file");
     }
     if (next()) throw expected("the end of the file, after the line \"end\"");
-    if (!frames_.empty() && motions_ != 1) throw BadInput("--frames goes with one motion file and nothing else");
+    if (!frames_.empty() && (motions_ != 1 || files.size() != 1))
+      throw BadInput("--frames goes with one motion file and nothing else");
     if (queries_ == 0 && empty == Empty::refused) {
       throw Rejected("no query was checked: " + std::string(kNoneNear) +
                      "; --allow-empty accepts this, and the digest of each file must show that it is the right one");
@@ -429,7 +430,7 @@ constexpr char kUsage[] =
     "  --allow-empty      accept a motion whose elements never come near enough to need a proof\n"
     "  --frames PATTERN   the frames of the motion must be these files, OBJ or binary PLY, bit by bit, and all of "
     "their\n"
-    "                     triangles, sides and corners its elements; in quotes, such as 'cloth-*.obj'\n"
+    "                     triangles, lines and points its elements; in quotes, such as 'cloth-*.obj'\n"
     "Exit status: 0 every proof holds, 1 some proof does not, is about other files, or none was needed, 2 bad usage, "
     "a\n"
     "file that cannot be read, or nothing to check: no query, or a motion in which no two elements could meet.\n";

@@ -11,10 +11,12 @@
 
 namespace checker {
 
-/// A mesh file: three coordinates for each vertex, and the vertices of each triangle.
+/// A mesh file: three coordinates for each vertex, and the vertices of each triangle, line and point.
 struct MeshFile {
   std::vector<Number> positions;
   std::vector<std::array<std::uint32_t, 3>> faces;
+  std::vector<std::array<std::uint32_t, 2>> edges;
+  std::vector<std::uint32_t> points;
 };
 
 /// The files that a pattern names. Digits in their names count as numbers: a-2 comes before a-10.
@@ -46,8 +48,10 @@ inline std::vector<std::string> files_of(const std::string& pattern) {
   return files;
 }
 
-/// Lines "v X Y Z" and "f V V V". A vertex may have textures and normals behind slashes; a negative number counts back.
+/// Lines "v X Y Z", "f V V V", "l V V..." and "p V...". A vertex may have textures and normals behind slashes; a negative
+/// number counts back. What another reader may take for such a line is refused: other keywords, backslashes, controls.
 inline MeshFile read_obj(const std::string& name) {
+  static const std::vector<std::string_view> kIgnored = {"vt", "vn", "o", "g", "s", "usemtl", "mtllib"};
   Lines lines(name);
   Words words;
   MeshFile mesh;
@@ -60,16 +64,32 @@ inline MeshFile read_obj(const std::string& name) {
     return static_cast<std::uint32_t>(number.get_ui() - 1);
   };
   while (lines.next(words, " \t")) {
-    lines.require(words[0] != "v" || words.size() >= 4, "a vertex has three coordinates");
-    lines.require(words[0] != "f" || words.size() == 4, "--frames reads triangles alone: here must be three vertices");
-    lines.require(words.back() != "\\", "--frames reads no lines that go on in the next one");
-    for (std::size_t k = 1; words[0] == "v" && k < 4; ++k) mesh.positions.push_back(read_double(words[k], lines));
-    if (words[0] == "f") mesh.faces.push_back({vertex_of(words[1]), vertex_of(words[2]), vertex_of(words[3])});
+    for (const std::string_view word : words) {
+      const auto is_hidden = [](char c) { return c == '\\' || (c >= 0 && c < ' ') || c == '\x7F'; };
+      lines.require(std::none_of(word.begin(), word.end(), is_hidden),
+                    "--frames reads no backslash and no control character");
+    }
+    const std::string_view sort = words[0];
+    if (sort == "v") {
+      lines.require(words.size() >= 4, "a vertex has three coordinates");
+      for (std::size_t k = 1; k < 4; ++k) mesh.positions.push_back(read_double(words[k], lines));
+    } else if (sort == "f") {
+      lines.require(words.size() == 4, "--frames reads triangles alone: here must be three vertices");
+      mesh.faces.push_back({vertex_of(words[1]), vertex_of(words[2]), vertex_of(words[3])});
+    } else if (sort == "l") {
+      lines.require(words.size() >= 3, "a line has two vertices, or more");
+      for (std::size_t k = 2; k < words.size(); ++k)
+        mesh.edges.push_back({vertex_of(words[k - 1]), vertex_of(words[k])});
+    } else if (sort == "p") {
+      for (std::size_t k = 1; k < words.size(); ++k) mesh.points.push_back(vertex_of(words[k]));
+    } else if (std::find(kIgnored.begin(), kIgnored.end(), sort) == kIgnored.end()) {
+      throw lines.bad("--frames reads no lines " + quoted(sort));
+    }
   }
   return mesh;
 }
 
-/// A binary PLY file, of either order of bytes. Of its elements, vertices and faces are kept.
+/// A binary PLY file, of either order of bytes, with the elements vertex, face and edge.
 class PlyFile {
  public:
   explicit PlyFile(const std::string& name) : name_(name), file_(name, std::ios::binary) {
@@ -94,7 +114,7 @@ class PlyFile {
   /// The bytes of a number, and whether it has a point.
   struct Type {
     std::size_t size = 0;
-    bool is_float = false;
+    bool is_float = false, is_signed = false;
   };
   struct Property {
     std::string name;
@@ -111,11 +131,22 @@ class PlyFile {
   }
 
   Type type_of(const std::string& word) const {
-    static const std::vector<std::pair<std::string, Type>> types = {
-        {"char", {1}},        {"int8", {1}},          {"uchar", {1}},        {"uint8", {1}},
-        {"short", {2}},       {"int16", {2}},         {"ushort", {2}},       {"uint16", {2}},
-        {"int", {4}},         {"int32", {4}},         {"uint", {4}},         {"uint32", {4}},
-        {"float", {4, true}}, {"float32", {4, true}}, {"double", {8, true}}, {"float64", {8, true}}};
+    static const std::vector<std::pair<std::string, Type>> types = {{"char", {1, false, true}},
+                                                                    {"int8", {1, false, true}},
+                                                                    {"uchar", {1}},
+                                                                    {"uint8", {1}},
+                                                                    {"short", {2, false, true}},
+                                                                    {"int16", {2, false, true}},
+                                                                    {"ushort", {2}},
+                                                                    {"uint16", {2}},
+                                                                    {"int", {4, false, true}},
+                                                                    {"int32", {4, false, true}},
+                                                                    {"uint", {4}},
+                                                                    {"uint32", {4}},
+                                                                    {"float", {4, true, true}},
+                                                                    {"float32", {4, true, true}},
+                                                                    {"double", {8, true, true}},
+                                                                    {"float64", {8, true, true}}};
     for (const auto& [name, type] : types) {
       if (name == word) return type;
     }
@@ -123,9 +154,10 @@ class PlyFile {
   }
 
   void read_header() {
-    std::string line;
-    for (std::size_t number = 0; std::getline(file_, line); ++number) {
-      require(line.size() <= 1000 && number < 1000, "the header is too long");
+    std::array<char, 1001> buffer{};
+    for (std::size_t number = 0; file_.getline(buffer.data(), buffer.size()); ++number) {
+      std::string line = buffer.data();
+      require(number < 1000, "the header has too many lines");
       if (!line.empty() && line.back() == '\r') line.pop_back();
       std::istringstream text(line);
       const std::vector<std::string> words{std::istream_iterator<std::string>(text), {}};
@@ -134,6 +166,7 @@ class PlyFile {
       if (words[0] == "end_header") {
         const auto is_empty = [](const Element& e) { return e.properties.empty() && e.count > 0; };
         require(std::none_of(elements_.begin(), elements_.end(), is_empty), "an element has no property");
+        check_elements();
         return require(has_format_, "the header has no format");
       }
       if (words[0] == "format") {
@@ -156,7 +189,36 @@ class PlyFile {
         elements_.back().properties.push_back(property);
       }
     }
-    require(false, "the header has no end");
+    require(false, "the header has no end within 1,000 lines of 1,000 bytes");
+  }
+
+  /// Another reader must see no other elements: each property has its place, once, and is read.
+  void check_elements() const {
+    const auto count = [](const Element& element, const auto& fits) {
+      return std::count_if(element.properties.begin(), element.properties.end(), fits);
+    };
+    for (const Element& element : elements_) {
+      const bool is_face = element.name == "face";
+      require(is_face || element.name == "vertex" || element.name == "edge",
+              "--frames reads no element " + quoted(element.name));
+      require(std::count_if(elements_.begin(), elements_.end(),
+                            [&](const Element& other) { return other.name == element.name; }) == 1,
+              "the element " + quoted(element.name) + " is there twice");
+      require(count(element, [](const Property& p) { return p.count.size > 0; }) == (is_face ? 1 : 0),
+              "faces have one list, of their vertices, and nothing else has one");
+      require(!is_face || count(element, is_list_of_vertices) == 1, "faces have a list vertex_index or vertex_indices");
+      for (const Property& one : element.properties) {
+        require(count(element, [&](const Property& other) { return other.name == one.name; }) == 1,
+                "the property " + quoted(one.name) + " is there twice");
+      }
+      for (const char* const end : {"vertex1", "vertex2"}) {
+        const auto is_end = [&](const Property& p) { return p.name == end && !p.type.is_float; };
+        require(element.name != "edge" || count(element, is_end) == 1, "edges have vertex1 and vertex2");
+      }
+    }
+  }
+  static bool is_list_of_vertices(const Property& p) {
+    return p.count.size > 0 && !p.type.is_float && (p.name == "vertex_index" || p.name == "vertex_indices");
   }
 
   /// The bytes of a number, the most significant one first, in an integer.
@@ -187,30 +249,34 @@ class PlyFile {
     return x;
   }
 
+  /// A number of a vertex; one that is none becomes too great.
+  static std::uint32_t index_of(std::uint64_t bits, const Type& type) {
+    const bool is_negative = type.is_signed && (bits >> (8 * type.size - 1)) != 0;
+    return is_negative ? kMostVertices : static_cast<std::uint32_t>(std::min<std::uint64_t>(bits, kMostVertices));
+  }
+
   void read_item(const std::string& element, const std::vector<Property>& properties, MeshFile& mesh) {
     std::array<Number, 3> at;
+    std::array<std::uint32_t, 2> ends{};
     unsigned found = 0;
     for (const Property& property : properties) {
-      if (property.count.size == 0) {
-        const std::uint64_t bits = read_bits(property.type);
-        const bool is_axis =
-            element == "vertex" && property.name.size() == 1 && property.name[0] >= 'x' && property.name[0] <= 'z';
-        if (!is_axis) continue;
-        require(property.type.is_float, "coordinates are floats or doubles");
-        at[static_cast<std::size_t>(property.name[0] - 'x')] = number_of(bits, property.type);
-        found |= 1U << (property.name[0] - 'x');
+      if (property.count.size > 0) {
+        require(read_bits(property.count) == 3, "--frames reads triangles alone");
+        auto& face = mesh.faces.emplace_back();
+        for (std::uint32_t& v : face) v = index_of(read_bits(property.type), property.type);
         continue;
       }
-      const std::uint64_t size = read_bits(property.count);
-      const bool is_face = element == "face" && (property.name == "vertex_indices" || property.name == "vertex_index");
-      require(!is_face || (size == 3 && !property.type.is_float), "--frames reads triangles alone");
-      std::array<std::uint32_t, 3> face{};
-      for (std::uint64_t k = 0; k < size; ++k) {
-        const std::uint64_t bits = read_bits(property.type);
-        if (is_face) face[k] = static_cast<std::uint32_t>(std::min<std::uint64_t>(bits, kMostVertices));
+      const std::uint64_t bits = read_bits(property.type);
+      const std::string& name = property.name;
+      if (element == "edge" && (name == "vertex1" || name == "vertex2")) {
+        ends[name == "vertex1" ? 0 : 1] = index_of(bits, property.type);
+      } else if (element == "vertex" && (name == "x" || name == "y" || name == "z")) {
+        require(property.type.is_float, "coordinates are floats or doubles");
+        at[static_cast<std::size_t>(name[0] - 'x')] = number_of(bits, property.type);
+        found |= 1U << (name[0] - 'x');
       }
-      if (is_face) mesh.faces.push_back(face);
     }
+    if (element == "edge") mesh.edges.push_back(ends);
     if (element != "vertex") return;
     require(found == 7, "vertices need x, y and z");
     mesh.positions.insert(mesh.positions.end(), at.begin(), at.end());

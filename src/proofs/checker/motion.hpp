@@ -63,8 +63,8 @@ class MotionFile {
   std::size_t frame_count() const { return frame_; }  ///< those that were read
 
   /// @param end  0 for the first frame of the step, 1 for the second one
-  /// @throws Rejected unless that frame is this file, bit by bit, with all of its triangles, their sides and their corners
-  /// among the elements
+  /// @throws Rejected unless that frame is this file, bit by bit, with all of its triangles, lines and points, and their sides
+  /// and corners, among the elements
   void compare_frame(const std::string& file, std::size_t end) const {
     const std::string what = file + " and frame " + std::to_string(frame_ - 2 + end) + ": ";
     const auto require = [&](bool holds, const std::string& reason) {
@@ -88,6 +88,13 @@ class MotionFile {
       require(faces.count(sorted(mesh.faces[i])) > 0,
               "face " + std::to_string(i) + " of the file is none of the motion");
     }
+    std::set<std::array<std::uint32_t, 2>> edges;
+    for (const Element& edge : elements_[1]) edges.insert(side(edge.vertices[0], edge.vertices[1]));
+    for (const auto& [v, w] : mesh.edges) {
+      require(edges.count(side(v, w)) > 0, "a line of the file is no edge of the motion");
+    }
+    for (const std::uint32_t v : mesh.points)
+      require(single_[0].count(v) > 0, "a point of the file is none of the motion");
     const auto [corners, sides] = undeclared();
     require(corners == 0, counted(corners, "corner is no point", "corners are no points"));
     require(sides == 0, counted(sides, "side is no edge", "sides are no edges"));
