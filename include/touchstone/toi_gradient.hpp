@@ -16,7 +16,8 @@ struct ToiGradient {
   /// - where the elements are in contact at t = 0, or only touch and leave again: the velocity towards each other is 0;
   /// - with d = 0, unless the contact is inside both edges, or inside the face: elsewhere a small change ends it, or
   ///   gives it to other features;
-  /// - with d > 0, where two edges have more than one pair of closest points.
+  /// - with d > 0, where two edges have more than one pair of closest points, and where an edge has no length or a face
+  ///   no area at that time.
   bool exists = false;
 
   /// The derivatives of the time by the coordinates of each corner at t = 0, in units of 1 / length; zeros where there

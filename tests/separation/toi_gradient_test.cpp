@@ -217,6 +217,35 @@ TEST_CASE("there is no gradient without a contact, at the start, at a border, or
   CHECK_THROWS_AS(toi_gradient(parallel, {}, 2), InvalidQuery);
 }
 
+TEST_CASE("with a separation there is no gradient where an edge has no length or a face no area") {
+  const auto exists = [](const Query& query) { return toi_gradient(query, {1}).exists; };
+  const std::array<Vec3, 3> edge = {{{0, 0, 5}, {-1, 0, 0}, {1, 0, 0}}};
+  const auto point_edge = [](const std::array<Vec3, 3>& start, const std::array<Vec3, 3>& end) {
+    Query query;
+    query.kind = Kind::point_edge;
+    std::copy(start.begin(), start.end(), query.start.begin());
+    std::copy(end.begin(), end.end(), query.end.begin());
+    return query;
+  };
+  CHECK(exists(point_edge(edge, {{{0, 0, 0}, {-1, 0, 0}, {1, 0, 0}}})));
+  CHECK_FALSE(exists(point_edge({{{0, 0, 5}, {0, 0, 0}, {0, 0, 0}}}, {})));
+  // It has no length at the time 4/5 alone.
+  CHECK_FALSE(exists(point_edge({{{0, 0, 5}, {-4, 0, 0}, {4, 0, 0}}}, {{{0, 0, 0}, {1, 0, 0}, {-1, 0, 0}}})));
+  const std::array<Vec3, 3> face = {{{-1, 0, 0}, {1, 0, 0}, {0.5, 0, 0}}},
+                            bent = {{{-1, 0, 0}, {1, 0, 0}, {0.5, 1, 0}}};
+  const auto falling = [](const std::array<Vec3, 3>& f) {
+    return Query(VertexFace{{{{0, 0.25, 5}, f[0], f[1], f[2]}}, {{{0, 0.25, 0}, f[0], f[1], f[2]}}});
+  };
+  CHECK_FALSE(exists(falling(face)));
+  CHECK(exists(falling(bent)));
+  const auto edges = [](const Vec3& a0, const Vec3& a1) {
+    const auto down = [](Vec3 x) { return Vec3{x.x, x.y, x.z - 5}; };
+    return Query(EdgeEdge{{{a0, a1, {-1, 0, 0}, {1, 0, 0}}}, {{down(a0), down(a1), {-1, 0, 0}, {1, 0, 0}}}});
+  };
+  CHECK(exists(edges({0, -1, 5}, {0, 1, 5})));
+  CHECK_FALSE(exists(edges({0, 0, 5}, {0, 0, 5})));
+}
+
 TEST_CASE("gradients of any size are found") {
   for (const double size : {0x1p-500, 0x1p-60, 0x1p60, 0x1p500}) {
     const Query query = VertexFace{{{{size, size, 3 * size}, {0, 0, 0}, {4 * size, 0, 0}, {0, 4 * size, 0}}},

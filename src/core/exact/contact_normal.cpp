@@ -146,11 +146,17 @@ std::optional<geometry::EndGradients> gradient_of(const Q& query, double t_max, 
     }
   }
   const Moment at = Moment::at(*time);
-  if (speed.is_zero() || at.sign(speed) == 0) return std::nullopt;  // where edges overlap, the direction is 0
+  const auto is_zero = [&](const Form& p) { return p.is_zero() || at.sign(p) == 0; };
+  if (is_zero(speed)) return std::nullopt;  // where edges overlap, the direction is 0
+  if (separation.distance > 0) {
+    const auto difference = [&x](std::size_t i, std::size_t j) { return x[i] - x[j]; };
+    const auto sizes = geometry::squared_sizes(query.kind, Form(Exact(1)), difference);
+    if (is_zero(sizes[0]) || is_zero(sizes[1])) return std::nullopt;
+  }
   geometry::EndGradients gradient{};
   // The coordinates are multiplied by the factor here, and so are derivatives by them divided by it.
   const Form fraction_at_end(Exact(0), scaled.factor), fraction_at_start(scaled.factor, -scaled.factor);
-  const auto ratio = [&](const Form& p) { return p.is_zero() || at.sign(p) == 0 ? 0 : time->ratio(p, speed); };
+  const auto ratio = [&](const Form& p) { return is_zero(p) ? 0 : time->ratio(p, speed); };
   for (std::size_t i = 0; i < count; ++i) {
     std::array<double, 3> start, end;
     for (std::size_t k = 0; k < 3; ++k) {

@@ -44,6 +44,25 @@ Vector<N> across(const Vector<N>& e, const Vector<N>& r) {
   return dot(e, e) * r - dot(r, e) * e;
 }
 
+/// Of each element the square of its length, or of twice its area; of a point `one`. Where it is 0, the closest point
+/// of the element has several sets of weights.
+/// @param difference  corner i minus corner j
+template <class N, class Difference>
+std::array<N, 2> squared_sizes(Kind kind, const N& one, const Difference& difference) {
+  std::array<N, 2> sizes = {one, one};
+  std::size_t first = 0;
+  for (std::size_t e = 0; e < 2; ++e) {
+    const std::size_t count = (e == 0 ? traits_of(kind).first : traits_of(kind).second).corners();
+    if (count > 1) {
+      const Vector<N> side = difference(first + 1, first);
+      const Vector<N> measure = count == 2 ? side : cross(side, difference(first + 2, first));
+      sizes[e] = dot(measure, measure);
+    }
+    first += count;
+  }
+  return sizes;
+}
+
 /// The closest points of two features, at the times when they have some: a direction between them, and the weight of
 /// each corner in its point times one positive number, negated on the first element.
 template <class N>

@@ -132,7 +132,8 @@ def toi_gradient(kind: Kind, start: ArrayLike, end: ArrayLike, t_max: float = 1.
     Arguments and errors are those of `solve`; the metric is the Euclidean one. Returns an array of shape
     (n, 2, corners, 3), or (2, corners, 3) for a single query: by the corners in `start`, and by those in `end`. NaN
     where there is no gradient: without a contact, in contact at the start, where elements only touch and leave again,
-    and without a separation unless the contact is inside both edges or inside the face.
+    without a separation unless the contact is inside both edges or inside the face, and with one where an edge has no
+    length or a face no area.
 
     >>> import touchstone
     >>> triangle = [[0, 0, 0], [4, 0, 0], [0, 4, 0]]

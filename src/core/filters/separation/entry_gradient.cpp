@@ -65,6 +65,9 @@ bool entry_gradient(const Query& query, const Answer& entry, const BoundedPair& 
   bool certain = speed.is_certain() && fraction.is_certain() && rest.is_certain();
   for (std::size_t k = 0; k < 3; ++k) certain = certain && direction[k].is_certain();
   for (const ZeroKeeping& weight : weights) certain = certain && weight.is_certain();
+  for (const ZeroKeeping& size : geometry::squared_sizes(query.kind, one, difference)) {
+    certain = certain && size.pair.value.high != 0 && size.is_certain();
+  }
   if (!certain || !is_ordinary(speed.pair.value.high)) return false;
 
   gradient = {};
