@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cmath>
 #include <cstdint>
 #include <map>
@@ -11,6 +12,8 @@
 #include <string>
 #include <utility>
 #include <vector>
+
+#include <touchstone/error.hpp>
 
 #include "seeded/rng.hpp"
 #include "support/catch.hpp"
@@ -75,7 +78,7 @@ Relation class_between(const Solid& a, const Solid& b) {
   for (const Point& vertex : both.vertices) x.insert(x.end(), vertex.begin(), vertex.end());
   std::vector<std::uint32_t> parts(a.vertices.size(), 0);
   parts.resize(both.vertices.size(), 1);
-  const std::vector<GroupPair> found = mesh::group_relations(Mesh(elements), {x, 3}, parts, 2);
+  const std::vector<GroupPair> found = mesh::group_relations(Mesh(elements), {x, 3}, parts, 2).pairs;
   if (found.empty()) return Relation::clear;
   REQUIRE(found.size() == 1);
   CHECK(found[0].a == 0);
@@ -380,4 +383,33 @@ TEST_CASE("the classes of polycubes are those of their sets of cells") {
     CAPTURE(name_of(sort));
     CHECK((counts[sort] > 0 || !whole_effort("each class of polycubes is seen")));
   }
+}
+
+TEST_CASE("faces without an area lie as their edges do, and parts that are not solid are counted") {
+  const Solid cube = box({0, 0, 0}, {4, 4, 4});
+  const auto needle = [](double from, double to) {
+    Solid solid;
+    for (const double at : {from, (from + to) / 2, to}) solid.vertices.push_back({at, 2, 2});
+    solid.faces = {{0, 1, 2}};
+    return solid;
+  };
+  CHECK(class_between(needle(1, 3), cube) == Relation::inside);
+  CHECK(class_between(cube, needle(1, 3)) == Relation::around);
+  CHECK(class_between(needle(-2, 6), cube) == Relation::crossing);
+  CHECK(class_between(needle(1, 6), cube) == Relation::crossing);
+  CHECK(class_between(needle(4, 6), cube) == Relation::touching);
+  CHECK(class_between(needle(0, 4), cube) == Relation::inside);
+  CHECK(class_between(needle(5, 6), cube) == Relation::clear);
+
+  const Solid both = joined(cube, needle(1, 3));
+  MeshElements elements;
+  elements.vertex_count = both.vertices.size();
+  elements.faces = both.faces;
+  std::vector<double> x;
+  for (const Point& vertex : both.vertices) x.insert(x.end(), vertex.begin(), vertex.end());
+  std::vector<std::uint32_t> parts(cube.vertices.size(), 0);
+  parts.resize(both.vertices.size(), 1);
+  CHECK(mesh::group_relations(Mesh(elements), {x, 3}, parts, 2).without_inside == 1);
+  const std::atomic<bool> stop = true;
+  CHECK_THROWS_AS(mesh::group_relations(Mesh(elements), {x, 3}, parts, 2, {1, &stop}), Stopped);
 }

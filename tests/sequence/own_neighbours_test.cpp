@@ -2,11 +2,13 @@
 // SPDX-License-Identifier: MIT
 #include "sequence/parts/own_neighbours.hpp"
 
+#include <atomic>
 #include <cmath>
 #include <limits>
 #include <set>
 #include <vector>
 
+#include <touchstone/error.hpp>
 #include <touchstone/solve.hpp>
 
 #include "seeded/rng.hpp"
@@ -119,9 +121,9 @@ TEST_CASE("own neighbours are the pairs within the separation that a short chain
       const Mesh mesh(sheet.elements);
       const double length = 0.5 + 3 * random.unit();
       CAPTURE(round, length, sheet.elements.separation.distance);
-      const std::vector<MeshPair> found = own_neighbours(mesh, sheet.positions(), length, 1);
+      const std::vector<MeshPair> found = own_neighbours(mesh, sheet.positions(), length, {1});
       CHECK(found == expected_neighbours(mesh, sheet, length));
-      CHECK(found == own_neighbours(mesh, sheet.positions(), length, 3));
+      CHECK(found == own_neighbours(mesh, sheet.positions(), length, {3}));
       for (const MeshPair& pair : found) kinds.insert(pair.kind);
       all += found.size();
 
@@ -146,7 +148,7 @@ TEST_CASE("a chain of exactly the length is none, and neither is one of another 
   elements.separation = {1, Metric::euclidean};
   const std::vector<double> x = {0, 0, 4, 0, 4, 1, 0, 1, 0, -1, 4, -1};
   const Mesh mesh(elements);
-  const auto own = [&](double length) { return own_neighbours(mesh, {x, 2}, length, 1); };
+  const auto own = [&](double length) { return own_neighbours(mesh, {x, 2}, length, {1}); };
   CHECK(own(1).empty());  // the edges 0-1 and 2-3 are connected by the edge 1-2, of length 1
   // Each end against the other edge: vertex 0 and 3 are 4 + 1 away from the nearest ends 2 and 1 of these, 1 and 2 are
   // 1 away.
@@ -166,7 +168,9 @@ TEST_CASE("own neighbours that touch at the start stay contacts") {
   elements.separation = {0.125, Metric::euclidean};
   const std::vector<double> x = {0, 0, 2, 0, 1, 1, 1, 0};
   const Mesh mesh(elements);
-  const auto pairs = own_neighbours(mesh, {x, 2}, 100, 1);
+  const auto pairs = own_neighbours(mesh, {x, 2}, 100, {1});
   CHECK(pairs == std::vector<MeshPair>{{Kind::point_edge, 3, 0}});
   CHECK(first_contact(touching_alone(mesh, pairs), {x, 2}, {x, 2}).at_start.size() == 1);
+  const std::atomic<bool> stop = true;
+  CHECK_THROWS_AS(own_neighbours(mesh, {x, 2}, 100, {1, &stop}), Stopped);
 }

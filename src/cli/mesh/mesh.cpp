@@ -128,6 +128,16 @@ proofs::MotionFrame motion_frame(const Frame& frame) {
   return positions;
 }
 
+/// What the work returns, unless Ctrl-C stops it. @throws Interrupted
+template <class Work>
+auto stoppable(const Work& work) {
+  try {
+    return work();
+  } catch (const Stopped&) {
+    throw Interrupted();
+  }
+}
+
 /// Checks frames one after the other.
 class Checker {
  public:
@@ -201,12 +211,10 @@ class Checker {
     std::string what = io::printable(names_[index].label());
     if (result.step) what += " -> " + io::printable(names_[index + 1].label());
     waiting_.begin(fmt::format("{} of {}: {}", results_ + 1, sequence::result_count(question_, range_), what));
-    try {
-      result = result.step ? sequence::check_step(mesh_, before, after, index, how_)
-                           : sequence::check_frame(mesh_, before, index, how_);
-    } catch (const Stopped&) {
-      throw Interrupted();
-    }
+    result = stoppable([&] {
+      return result.step ? sequence::check_step(mesh_, before, after, index, how_)
+                         : sequence::check_frame(mesh_, before, index, how_);
+    });
     waiting_.end();
   }
 
@@ -269,7 +277,12 @@ int run_mesh(const MeshRunOptions& options) {
   if (!may_differ(options)) heading.facts = sequence::facts_of(mesh, *first->topology);
   if (options.self) {
     const Positions positions(start->positions, start->topology->dimension);
-    const auto pairs = sequence::own_neighbours(mesh, positions, *options.self, threads);
+    WaitingLine waiting;
+    waiting.begin("the neighbours of --self");
+    const auto pairs = stoppable([&] {
+      return sequence::own_neighbours(mesh, positions, *options.self, {threads, &interruption()});
+    });
+    waiting.end();
     heading.self = {*options.self, pairs.size(), start->digest};
     mesh = sequence::touching_alone(mesh, pairs);
   }

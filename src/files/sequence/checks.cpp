@@ -152,17 +152,18 @@ EnclosedCounts counts_of(const std::vector<EnclosedPart>& enclosed, ElementNames
   return counts;
 }
 
-std::vector<PartRelation> relations_of(const Mesh& mesh, const Frame& frame, const MeshOptions& options) {
+void set_classes(Result& result, const Mesh& mesh, const Frame& frame, const MeshOptions& options) {
   const Topology& topology = *frame.topology;
   const auto count = static_cast<std::uint32_t>(topology.parts.size());
-  std::vector<PartRelation> relations;
-  for (const auto& [a, b, sort] :
-       mesh::group_relations(mesh, positions_of(frame), parts_of_vertices(topology, {}), count, options)) {
+  const mesh::GroupRelations found =
+      mesh::group_relations(mesh, positions_of(frame), parts_of_vertices(topology, {}), count, options);
+  result.without_inside = found.without_inside;
+  std::vector<PartRelation>& relations = result.classes.emplace();
+  for (const auto& [a, b, sort] : found.pairs) {
     const bool swapped = sort == mesh::Relation::around;
     relations.push_back({shown_part(topology.parts[swapped ? b : a]), shown_part(topology.parts[swapped ? a : b]),
                          swapped ? mesh::Relation::inside : sort});
   }
-  return relations;
 }
 
 }  // namespace
@@ -265,7 +266,7 @@ Result check_frame(const Mesh& mesh, const Frame& frame, std::size_t index, cons
   result.in_open = inside.in_open;
   result.flat = flat_faces(mesh, positions_of(frame));
   if (!result.free()) result.coinciding = coinciding_vertices(mesh, positions_of(frame));
-  if (how.classes) result.classes = relations_of(mesh, frame, options);
+  if (how.classes) set_classes(result, mesh, frame, options);
   if (how.clearance) result.clearance = clearance_of(distance(mesh, positions_of(frame), options), names);
   return result;
 }

@@ -117,6 +117,7 @@ struct Result {
   std::optional<Clearance> clearance;  ///< where it was asked for
 
   std::optional<std::vector<PartRelation>> classes;  ///< of a frame at rest, where they were asked for
+  std::size_t without_inside = 0;                    ///< GroupRelations::without_inside, of the same
 
   bool free() const noexcept { return first.empty() && at_start.empty() && intersections.empty(); }
 };
@@ -265,6 +266,7 @@ struct ResultCounts {
   std::size_t flat = 0;               ///< the greatest of Result::flat
   std::size_t in_open = 0;            ///< the greatest of Result::in_open
   std::size_t turning = 0;            ///< the greatest of Result::turning
+  std::size_t without_inside = 0;     ///< the greatest of Result::without_inside
   std::size_t coinciding = 0;         ///< the greatest of Result::coinciding
   std::optional<LeastDistance> least_distance;  ///< of Result::clearance; nothing where it was not asked for
   bool ends_intersecting = false;  ///< whether the frame at the end of the last result is known to intersect itself
@@ -276,6 +278,7 @@ struct ResultCounts {
     flat = result.flat > flat ? result.flat : flat;
     in_open = result.in_open > in_open ? result.in_open : in_open;
     turning = result.turning > turning ? result.turning : turning;
+    without_inside = result.without_inside > without_inside ? result.without_inside : without_inside;
     coinciding = result.coinciding > coinciding ? result.coinciding : coinciding;
     if (result.classes) {
       for (const PartRelation& one : *result.classes) ++classes[static_cast<std::size_t>(one.sort)];

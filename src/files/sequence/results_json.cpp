@@ -173,6 +173,7 @@ std::string members_json(std::string text, const Result& result, io::Numbers for
   if (result.turning > 0) text += fmt::format(",\"turning_faces\":{}", result.turning);
   if (result.clearance) text += ",\"clearance\":" + json_of(*result.clearance, form);
   if (result.classes) text += ",\"classes\":" + list_json(*result.classes);
+  if (result.without_inside > 0) text += fmt::format(",\"parts_without_inside\":{}", result.without_inside);
   if (result.free()) return text + "}";
   if (result.step) {
     const auto time = [&](double value) { return result.first.empty() ? std::string("null") : json_of(value, form); };
@@ -234,9 +235,14 @@ Result result_from(const JsonNode& node) {
     if (const auto turning = node.find("turning_faces")) result.turning = turning->whole_number(1, kMostNumber);
   } else {
     node.check_keys({"frame", "free", "enclosed_parts", "flat_faces", "parts_in_open_surfaces", "intersections",
-                     "coinciding_vertices", "clearance", "classes"});
+                     "coinciding_vertices", "clearance", "classes", "parts_without_inside"});
     if (const auto classes = node.find("classes")) {
       result.classes = list_from<PartRelation>(*classes, relation_from);
+      if (const auto parts = node.find("parts_without_inside")) {
+        result.without_inside = parts->whole_number(1, kMostNumber);
+      }
+    } else if (const auto parts = node.find("parts_without_inside")) {
+      parts->fail("goes with classes");
     }
     if (const auto enclosed = node.find("enclosed_parts")) result.enclosed = enclosed_from(*enclosed);
     if (const auto flat = node.find("flat_faces")) result.flat = flat->whole_number(1, kMostNumber);

@@ -171,6 +171,14 @@ std::vector<std::string> warnings_of(const Heading& heading, const std::vector<F
                                    counted(counts.flat, "face"), counts.results > 1 && rest ? " of a frame" : "",
                                    counts.flat == 1 ? "is" : "are"));
   }
+  if (counts.without_inside > 0) {
+    const bool one = counts.without_inside == 1;
+    warnings.push_back(fmt::format(
+        "{} {} no solid and {} no inside: nothing is inside {}, and two of them only touch or cross (a solid has a "
+        "closed "
+        "surface, with its normals outwards, and nothing else; --weld joins split vertices)",
+        counted(counts.without_inside, "part"), one ? "is" : "are", one ? "has" : "have", one ? "it" : "them"));
+  }
   if (counts.turning > 0) {
     warnings.push_back(fmt::format("{} may be flat at a time of a step: no edges of one face are compared",
                                    counted(counts.turning, "face")));

@@ -64,6 +64,15 @@ class Classifier {
     take_meetings(groups, count, intersections(mesh_, x, options));
   }
 
+  GroupRelations relations() const {
+    GroupRelations all;
+    all.without_inside = static_cast<std::size_t>(std::count_if(
+        all_.begin(), all_.end(), [](const Group& group) { return !group.is_empty() && !group.is_solid; }));
+    all.pairs = classes();
+    return all;
+  }
+
+ private:
   std::vector<GroupPair> classes() const {
     std::vector<GroupPair> found;
     std::vector<std::uint32_t> by_box;
@@ -90,7 +99,6 @@ class Classifier {
     return found;
   }
 
- private:
   static Mesh without_rules(const Mesh& mesh) {
     MeshElements elements = mesh.elements();
     elements.rules = {};
@@ -213,19 +221,6 @@ class Classifier {
   /// Where the faces, wires and points of group a lie about the solid b.
   Flags flags_of(std::uint32_t a, std::uint32_t b) const {
     Flags flags;
-    std::vector<Index> apart;  // faces that meet none of both groups: their surface lies as one of them does
-    for (const Index f : all_[a].faces) {
-      const std::vector<Index> met = of_groups(met_[f], a, b);
-      if (met.empty()) {
-        apart.push_back(f);
-      } else if (!flags.is_partly_in()) {
-        add_face(f, met, a, b, flags);
-      }
-    }
-    for (const Index f : one_of_each_surface(apart)) {
-      if (flags.is_partly_in()) break;
-      add_cell(point_in(exact(corners_of_face(f))), {}, a, b, flags);
-    }
     const auto add_bare = [&](const Vec3& p, const Vec3& q, const std::vector<Index>& met) {
       const std::vector<ExactCorners> shapes = shapes_of(of_groups(met, b, b));
       for (const RationalPoint& middle : middles_between(exact(p), exact(q), shapes)) {
@@ -235,6 +230,24 @@ class Classifier {
         (winding_number(all_[b].shape, {middle, {}, {}}, box_around(middle)) > 0 ? flags.in : flags.out) = true;
       }
     };
+    std::vector<Index> apart;  // faces that meet none of both groups: their surface lies as one of them does
+    for (const Index f : all_[a].faces) {
+      check_stop(options_.stop);
+      const std::vector<Index> met = of_groups(met_[f], a, b);
+      const Corners corners = corners_of_face(f);
+      if (!all_[a].is_solid && is_zero(normal_of(exact(corners)))) {  // without an area it is its edges
+        for (std::size_t i = 0; i < 3; ++i) add_bare(corners[i], corners[(i + 1) % 3], met);
+      } else if (met.empty()) {
+        apart.push_back(f);
+      } else if (!flags.is_partly_in()) {
+        add_face(f, met, a, b, flags);
+      }
+    }
+    for (const Index f : one_of_each_surface(apart)) {
+      if (flags.is_partly_in()) break;
+      check_stop(options_.stop);
+      add_cell(point_in(exact(corners_of_face(f))), {}, a, b, flags);
+    }
     const auto met_by = [](const std::map<Index, std::vector<Index>>& all, Index number) {
       const auto found = all.find(number);
       return found == all.end() ? std::vector<Index>() : found->second;
@@ -358,13 +371,13 @@ std::string_view name_of(Relation sort) noexcept {
   return kNames[static_cast<std::size_t>(sort)];
 }
 
-std::vector<GroupPair> group_relations(const Mesh& mesh, const Positions& x, const std::vector<std::uint32_t>& groups,
-                                       std::uint32_t count, const MeshOptions& options) {
+GroupRelations group_relations(const Mesh& mesh, const Positions& x, const std::vector<std::uint32_t>& groups,
+                               std::uint32_t count, const MeshOptions& options) {
   if (mesh.dimension() != 3)
     throw InvalidQuery("classes of groups are those of solids in space; the mesh is in the plane");
   if (groups.size() != mesh.vertex_count()) throw InvalidQuery("the groups must be those of all vertices");
   const numbers::DefaultFloatEnvironment environment;
-  return Classifier(mesh, x, groups, count, options).classes();
+  return Classifier(mesh, x, groups, count, options).relations();
 }
 
 }  // namespace touchstone::mesh

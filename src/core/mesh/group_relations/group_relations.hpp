@@ -37,12 +37,17 @@ struct GroupPair {
   bool operator==(const GroupPair& other) const = default;
 };
 
-/// All pairs of groups that are not clear of each other, in ascending order.
+struct GroupRelations {
+  std::vector<GroupPair> pairs;    ///< those that are not clear of each other, in ascending order
+  std::size_t without_inside = 0;  ///< groups that have elements and are not solid
+};
+
+/// How all pairs of groups lie to each other.
 /// @param mesh     its rules say which pairs of groups are asked about: those of which two vertices may collide
 /// @param groups   the group of each vertex; elements do not share vertices of two groups
 /// @param count    the number of groups; vertices with this or a greater number are in none
 /// @throws InvalidQuery  for a mesh in the plane, and as `intersections`
-std::vector<GroupPair> group_relations(const Mesh& mesh, const Positions& x, const std::vector<std::uint32_t>& groups,
-                                       std::uint32_t count, const MeshOptions& options = {});
+GroupRelations group_relations(const Mesh& mesh, const Positions& x, const std::vector<std::uint32_t>& groups,
+                               std::uint32_t count, const MeshOptions& options = {});
 
 }  // namespace touchstone::mesh

@@ -9,6 +9,8 @@
 #include <limits>
 #include <utility>
 
+#include <touchstone/error.hpp>
+
 #include "geometry/kind_traits.hpp"
 #include "geometry/union_find.hpp"
 
@@ -112,16 +114,15 @@ struct Corners {
 
 }  // namespace
 
-std::vector<MeshPair> own_neighbours(const Mesh& mesh, const Positions& x, double length, int threads) {
-  FirstContactOptions options;
-  options.threads = threads;
-  const FirstContact start = first_contact(mesh, x, x, options);
+std::vector<MeshPair> own_neighbours(const Mesh& mesh, const Positions& x, double length, const MeshOptions& options) {
+  const FirstContact start = first_contact(mesh, x, x, {{options}});
   Chains chains(mesh, x, length);
   std::vector<Corners> group;  // pairs with one first element
   std::vector<MeshPair> found;
   std::vector<MeshIndex> targets;
   const auto take_group = [&] {
     if (group.empty()) return;
+    if (options.stop != nullptr && *options.stop) throw Stopped("the search for neighbours was stopped");
     targets.clear();
     for (const Corners& one : group) {
       targets.insert(targets.end(), one.corners.begin() + static_cast<std::ptrdiff_t>(one.second),

@@ -13,7 +13,8 @@ namespace touchstone::sequence {
 /// x, and that a chain of edges connects: from any corner of one to any corner of the other, shorter than `length` at
 /// x. The length of an edge is Euclidean and rounded, and so is each sum: this is a selection, and no proof depends on
 /// it. In ascending order.
-std::vector<MeshPair> own_neighbours(const Mesh& mesh, const Positions& x, double length, int threads);
+/// @throws Stopped  soon after the flag of the options was set
+std::vector<MeshPair> own_neighbours(const Mesh& mesh, const Positions& x, double length, const MeshOptions& options);
 
 /// The mesh, whose separation these pairs do not have: their contact is touching.
 Mesh touching_alone(const Mesh& mesh, const std::vector<MeshPair>& pairs);
