@@ -57,6 +57,7 @@ void add_merge(CLI::App& program, Command& command) {
   subcommand->add_option("--pairs", options->pairs, "Write a table (CSV) with a row for each pair in contact")
       ->type_name("FILE");
   add_numbers_option(*subcommand, options->numbers);
+  subcommand->get_option("--numbers")->needs("--pairs");
   subcommand->footer(
       "The result is that of one run without --shard, byte for byte. Each report must be undamaged and of the same "
       "run:\n"

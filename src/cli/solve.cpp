@@ -96,7 +96,8 @@ void add_solve(CLI::App& program, Command& command) {
                    "after an error there is none")
       ->type_name("FILE");
   add_numbers_option(*subcommand, options->numbers);
-  subcommand->add_flag("--json", options->json, "Write a JSON object a line, with decimals, in place of CSV");
+  subcommand->add_flag("--json", options->json, "Write a JSON object a line, with decimals, in place of CSV")
+      ->excludes("--numbers");
   subcommand->footer(
       "The answers are CSV with the columns file,query,contact,toi,toi_upper,nature,feature_a,feature_b,level. Each\n"
       "query has a row, in input order; the number of threads changes nothing. toi and toi_upper are the neighbouring\n"

@@ -212,6 +212,14 @@ TEST_CASE("a decimal stands for itself, and beside a toi_upper for the double th
   CHECK(run_program({"certify", "--as-doubles", "--claims", alone, file}).out.starts_with("all 2 claims hold"));
   const std::string both = folder.write("both.csv", "query,contact,toi,toi_upper\n" + row + upper);
   CHECK(run_program({"certify", "--claims", both, file}).out.starts_with("all 2 claims hold"));
+  const std::string told = folder.write("told.csv", row + upper);
+  CHECK(run_program({"certify", "--columns", "query,contact,toi,toi_upper", "--claims", told, file})
+            .out.starts_with("all 2 claims hold"));
+  // A number beside it that is no neighbour says nothing.
+  const std::string other = folder.write("other.csv", "query,contact,toi,toi_upper\n" + row + ",0.4\n1,0,,\n");
+  const Run judged = run_program({"certify", "--json", "--claims", other, file});
+  CHECK(judged.err.starts_with("1 of 2 claims refuted"));
+  CHECK(json::parse(judged.out.substr(0, judged.out.find('\n')))["claimed_as_written"] == "0.33333333333333334");
 }
 
 TEST_CASE("lines of JSON have a verdict for each claim, and the summary is beside them") {

@@ -28,6 +28,7 @@
 #include "io/output_file.hpp"
 #include "io/queries/query_parser.hpp"
 #include "io/queries/separation_text.hpp"
+#include "numbers/written_number.hpp"
 
 namespace touchstone::cli {
 namespace {
@@ -116,11 +117,15 @@ std::variant<RationalQuery, CurvedQuery> as_given(const io::QueryRecord& record)
   return io::query_as_given(record);
 }
 
-/// The members of a line of JSON beside those of the exact answer. A time is the nearest double.
+/// The members of a line of JSON beside those of the exact answer. A time is the nearest double, and beside it is the
+/// claim's text if that is no double.
 std::string verdict_members(const Claim& claim, Verdict verdict, bool is_refuted) {
   const std::string toi = claim.toi ? io::number_text(*claim.toi, io::Numbers::decimals) : "null";
-  return fmt::format(",\"claimed_contact\":{},\"claimed_toi\":{},\"verdict\":\"{}\",\"refuted\":{}", claim.contact, toi,
-                     name_of(verdict), is_refuted);
+  const std::string& text = claim.toi_as_written;
+  const bool is_double = text.empty() || numbers::is_exactly_a_double(text);
+  const std::string written = is_double ? "" : ",\"claimed_as_written\":" + io::json_string(text);
+  return fmt::format(",\"claimed_contact\":{},\"claimed_toi\":{}{},\"verdict\":\"{}\",\"refuted\":{}", claim.contact,
+                     toi, written, name_of(verdict), is_refuted);
 }
 
 void judge_queries(CertifyItem& item, const CertifyOptions& options, const std::vector<Input>& inputs) {

@@ -130,6 +130,7 @@ void add_mesh(CLI::App& program, Command& command) {
   subcommand->add_option("--pairs", options->pairs, "Write a table (CSV) with a row for each pair in contact")
       ->type_name("FILE");
   add_numbers_option(*subcommand, options->numbers);
+  subcommand->get_option("--numbers")->needs("--pairs");
   subcommand
       ->add_option("--queries", options->queries,
                    "Write the pairs in contact as FOLDER/KIND/contacts.csv, query files for explain and certify")

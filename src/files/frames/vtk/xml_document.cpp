@@ -182,7 +182,9 @@ class DocumentReader {
       fail("VTKFile of type " + io::in_quotes(type) + "; UnstructuredGrid and PolyData are read");
     }
     const std::string_view version = attributes.value_or("version", "1.0");
-    if (version.size() < 2 || version[1] != '.' || version[0] < '0' || version[0] > '2') {
+    const bool is_number = version.size() >= 3 && version[1] == '.' && version[0] >= '0' && version[0] <= '2' &&
+                           version.find_first_not_of("0123456789", 2) == std::string_view::npos;
+    if (!is_number) {
       fail("version " + io::in_quotes(version) + "; known are 0.1 to 2.3");
     }
     if (const auto order = attributes.find("byte_order")) {

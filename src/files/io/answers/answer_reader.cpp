@@ -5,6 +5,7 @@
 #include <charconv>
 #include <cmath>
 #include <cstring>
+#include <limits>
 #include <utility>
 
 #include "io/answers/answer_writer.hpp"
@@ -74,7 +75,7 @@ void AnswerReader::read_toi(std::string_view field, AnswerRow& row) const {
            "; of a contact it must be a finite number such as 0x1.8p-2 or 0.375, or empty");
   }
   if (std::isinf(*row.toi)) refuse("toi is " + in_quotes(field) + "; it " + std::string(fault_of_double(field)));
-  if (has_doubles_ || is_plainly_a_double(field)) return;
+  if (is_plainly_a_double(field) || is_beside_upper(*row.toi)) return;
   // Long texts are refused before they are parsed. A large exponent makes a number long, too.
   constexpr std::size_t kMost = numbers::kMostWrittenDigits;
   if (field.size() > kMost) {
@@ -84,6 +85,13 @@ void AnswerReader::read_toi(std::string_view field, AnswerRow& row) const {
     refuse("toi is " + in_quotes(field) + "; as a fraction it has more than " + std::to_string(kMost) + " digits");
   }
   row.toi_as_written = field;
+}
+
+/// Whether the row has a toi_upper that is this double, or the one after it.
+bool AnswerReader::is_beside_upper(double toi) const {
+  if (!has(ClaimColumn::toi_upper)) return false;
+  const std::optional<double> upper = parse_finite_double(field(ClaimColumn::toi_upper));
+  return upper && (*upper == toi || *upper == std::nextafter(toi, std::numeric_limits<double>::infinity()));
 }
 
 void AnswerReader::read_separation(AnswerRow& row) const {
@@ -121,7 +129,6 @@ void AnswerReader::read_header(const ClaimColumns& columns) {
   ClaimColumns named;
   for (const std::string_view text : fields_) {
     const auto column = claim_column(text);
-    if (text == kUpperTime) has_doubles_ = true;
     if (!column && !is_description(text)) unread_columns_.emplace_back(text);
     if (column && std::count(named.begin(), named.end(), *column) != 0) {
       refuse("two columns are a " + in_quotes(claim_column_name(*column)) + "; --columns says which one is read");

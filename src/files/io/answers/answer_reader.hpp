@@ -25,8 +25,8 @@ struct AnswerRow {
   bool contact = false;
   std::optional<double> toi;  ///< finite; only with contact
   /// The field's text, if its number may lie beside its nearest double `toi`; else empty. Its exact value has at most
-  /// numbers::kMostWrittenDigits digits. Valid until the next row. Empty in a table with a column `toi_upper`: there
-  /// both are neighbouring doubles, and decimals are spellings of them.
+  /// numbers::kMostWrittenDigits digits. Valid until the next row. Empty where a `toi_upper` in the row is that double or
+  /// the next one: then decimals are spellings of doubles.
   std::string_view toi_as_written;
   std::optional<Separation> separation;  ///< what the claim is about; nothing when the file has no such column
   std::uint64_t row = 0;                 ///< the line where it starts, counted from 1
@@ -60,6 +60,7 @@ class AnswerReader {
 
   std::uint64_t number_of(std::string_view query) const;
   void read_toi(std::string_view field, AnswerRow& row) const;
+  bool is_beside_upper(double toi) const;
   void read_separation(AnswerRow& row) const;
   bool next_record();
   bool find_record_end(std::size_t& end);
@@ -83,7 +84,6 @@ class AnswerReader {
 
   std::vector<std::string> unquoted_;     ///< what quoted fields of the current record stand for
   std::vector<std::string_view> fields_;  ///< of the current record
-  bool has_doubles_ = false;              ///< whether a toi that is no double stands for the nearest one
   bool has_row_ = false;                  ///< whether fields_ is a row that next() has not told yet
   std::size_t column_count_ = 0;
   std::array<std::size_t, kClaimColumns> index_{};  ///< position of each column that is read; kAbsent: not there

@@ -12,13 +12,10 @@
 namespace touchstone::io {
 
 /// What a column of a table of claims says.
-enum class ClaimColumn : std::size_t { file, query, contact, toi, separation, metric, unread };
+enum class ClaimColumn : std::size_t { file, query, contact, toi, toi_upper, separation, metric, unread };
 
 /// The number of columns that are read.
 inline constexpr std::size_t kClaimColumns = static_cast<std::size_t>(ClaimColumn::unread);
-
-/// The column beside toi that only a solver with neighbouring doubles writes.
-inline constexpr std::string_view kUpperTime = "toi_upper";
 
 /// What each column of a table says, in order.
 using ClaimColumns = std::vector<ClaimColumn>;
