@@ -1,0 +1,61 @@
+(* What an accepted proof says. Nothing else has to be read to know it, so docs/proved.md shows this file. *)
+(* SPDX-License-Identifier: MIT *)
+From Coq Require Import QArith Qreals Reals List.
+Import ListNotations.
+Open Scope R_scope.
+
+(* Points of space, or vectors. *)
+Record point := Point { px : R; py : R; pz : R }.
+Definition plus (a b : point) : point := Point (px a + px b) (py a + py b) (pz a + pz b).
+Definition minus (a b : point) : point := Point (px a - px b) (py a - py b) (pz a - pz b).
+Definition scale (k : R) (a : point) : point := Point (k * px a) (k * py a) (k * pz a).
+Definition dot (a b : point) : R := px a * px b + py a * py b + pz a * pz b.
+
+(* A corner moves on a straight line, between two points with rational coordinates. *)
+Record rational_point := Rational { qx : Q; qy : Q; qz : Q }.
+Definition real (a : rational_point) : point := Point (Q2R (qx a)) (Q2R (qy a)) (Q2R (qz a)).
+Record corner := Corner { at_start : rational_point; at_end : rational_point }.
+Definition position (c : corner) (t : R) : point :=
+  plus (real (at_start c)) (scale t (minus (real (at_end c)) (real (at_start c)))).
+
+(* The convex hull of some points: their means, with weights that are not negative and have the sum 1. *)
+Fixpoint total (weights : list R) : R :=
+  match weights with w :: rest => w + total rest | [] => 0 end.
+Fixpoint weighted_sum (weights : list R) (points : list point) : point :=
+  match weights, points with
+  | w :: weights', a :: points' => plus (scale w a) (weighted_sum weights' points')
+  | _, _ => Point 0 0 0
+  end.
+Definition in_hull (points : list point) (x : point) : Prop :=
+  exists weights, length weights = length points /\ (forall w, In w weights -> 0 <= w) /\ total weights = 1
+    /\ x = weighted_sum weights points.
+
+(* Two elements are in contact if a point of one and a point of the other are equal, or at most D apart. *)
+Inductive separation := Zero | Euclidean (D : Q) | Max (D : Q).
+Definition near (s : separation) (v : point) : Prop :=
+  match s with
+  | Zero => v = Point 0 0 0
+  | Euclidean D => sqrt (dot v v) <= Q2R D
+  | Max D => Rabs (px v) <= Q2R D /\ Rabs (py v) <= Q2R D /\ Rabs (pz v) <= Q2R D
+  end.
+Record query := Query { first : list corner; second : list corner; apart : separation }.
+Definition element (corners : list corner) (t : R) : list point := map (fun c => position c t) corners.
+Definition in_contact (q : query) (t : R) : Prop :=
+  exists x y, in_hull (element (first q) t) x /\ in_hull (element (second q) t) y /\ near (apart q) (minus y x).
+
+(* The doubles that are not negative. *)
+Definition is_double (x : R) : Prop :=
+  exists m k, (0 <= m < 2 ^ 53)%Z /\ (k <= 1074)%Z /\ x = IZR m / powerRZ 2 k.
+
+(* The three answers, and what they mean. *)
+Inductive answer := No_contact | Contact_at (T : Q) | Contact_between (T U : Q).
+Definition holds (q : query) (a : answer) : Prop :=
+  match a with
+  | No_contact => forall t, 0 <= t <= 1 -> ~ in_contact q t
+  | Contact_at T =>
+      is_double (Q2R T) /\ 0 <= Q2R T <= 1 /\ in_contact q (Q2R T) /\ forall t, 0 <= t < Q2R T -> ~ in_contact q t
+  | Contact_between T U =>
+      is_double (Q2R T) /\ is_double (Q2R U) /\ (forall x, is_double x -> ~ Q2R T < x < Q2R U)
+      /\ 0 <= Q2R T < Q2R U /\ Q2R U <= 1 /\ (forall t, 0 <= t <= Q2R T -> ~ in_contact q t)
+      /\ exists t, Q2R T < t < Q2R U /\ in_contact q t
+  end.
