@@ -45,6 +45,9 @@ reason_not_to_run() {
     'cmake --preset '*) echo 'it configures a build for developers; building that takes many minutes' ;;
     'cmake --build --preset '*) echo 'it builds everything, for many minutes' ;;
     'ctest '*) echo 'it runs every test, this one among them' ;;
+    *touchstone_check_proved* | *touchstone-check-proved\ *)
+      command -v coqc >/dev/null && ocamlfind query zarith >/dev/null 2>&1 || echo 'Coq, OCaml or Zarith is not installed'
+      ;;
     'sudo '* | 'apt-get '*) echo 'it changes the machine' ;;
     mmdebstrap* | 'git archive'* | 'mount '* | 'chroot '*) echo 'it needs root and makes a whole system' ;;
     'touchstone report --out '*) echo 'it measures for minutes; the same command with --quick is run by tests/report' ;;

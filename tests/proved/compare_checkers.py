@@ -1,0 +1,145 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
+"""The checker that is proved in Coq and touchstone-check say the same about small, forged, flipped and changed proofs.
+
+    compare_checkers.py --checker PROGRAM --proved PROGRAM [--mutants N] PROOFS FILE...
+
+The exit statuses of both must be equal, but for what the proved checker does not cover: there its status is 2. An
+accepted mutant must be true, too: exact_truth.py decides it without a proof. The given proofs must hold. Of each of
+them the verdict is flipped: a contact becomes none, and none becomes a contact. No checker accepts a flipped verdict.
+Then the mutations of mutate_proofs.py change about N of the given proofs. The same arguments give the same mutants.
+"""
+
+import argparse
+import collections
+import os
+import random
+import sys
+import tempfile
+
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "proofs"))
+import mutate_proofs  # noqa: E402
+import small_cases  # noqa: E402
+from exact_truth import is_curved  # noqa: E402
+
+
+def is_covered(files, contents):
+    return all(kind != "mesh" for kind in files) and not any(is_curved(content) for content in contents)
+
+
+def kinds_in(proof):
+    return [words[1] for words in map(str.split, proof.split("\n")) if len(words) > 1 and words[0] == "file"]
+
+
+def flipped(file):
+    """The case with the other verdict, in a few ways that have the right form."""
+    (number, *verdict), *rest = file.proofs()[0]
+    pieces = [line for line in rest if line[0] in ("n", "d")]
+    weights = [line for line in rest if line[0] == "w"]
+    if verdict[0] == "contact":
+        variants = [[[number, "none"]] + (pieces or [["d", "1", "0", "0"]])]
+        variants += [[[number, "none"], ["d"] + [str(c) for c in n]] for n in ((1, 0, 0), (0, 1, 0), (0, 0, 1))]
+    else:
+        corners = mutate_proofs.CORNERS[file.kind][1]
+        weights = [["w", str(i), "1"] for i in range(corners)]
+        pair = [weights[0], weights[-1]]
+        half, after = "0x1p-1", "0x1.0000000000001p-1"
+        line = ["root", "-0x1.00000000000008p-1", "1"]
+        variants = [[[number, "contact", "0", "0"]] + weights, [[number, "contact", "0", "0"]] + pair,
+                    [[number, "contact", "1", "1"]] + pieces + weights,
+                    [[number, "contact", half, after]] + pieces + [line] + weights,
+                    [[number, "contact", half, after]] + pieces + [line] + pair]
+    for lines in variants:
+        other = file.copy()
+        other.groups = [[[list(line) for line in lines]]]
+        yield other
+
+
+class Comparison:
+    def __init__(self, checker, proved, folder):
+        self.checker = mutate_proofs.Checker(checker, None, os.path.join(folder, "a"))
+        self.proved = mutate_proofs.Checker(proved, None, os.path.join(folder, "b"))
+        os.mkdir(self.checker.folder)
+        os.mkdir(self.proved.folder)
+        self.counts = collections.Counter()
+        self.failures = []
+
+    def run(self, what, proof, contents):
+        """The status of both, if they are the same."""
+        status, proved = self.checker.status(proof, contents), self.proved.status(proof, contents)
+        covered = is_covered(kinds_in(proof), contents)
+        self.counts[what.split()[0], status if covered else "not covered"] += 1
+        # Without a file that is covered, the error may be met before or after a proof that does not hold.
+        if proved != status if covered else proved not in (1, 2):
+            self.failures.append(f"{what}: touchstone-check ends with {status}, the proved checker with {proved}\n"
+                                 f"{proof}" + "".join(contents))
+        return status
+
+    def case(self, what, file, must_fail=False):
+        proof = mutate_proofs.text_of([file])
+        status = self.run(what, proof, [file.content])
+        if status == 0 and (must_fail or not mutate_proofs.is_true(proof, [file.content])):
+            self.failures.append(f"{what}: FALSE ACCEPTANCE\n{proof}{file.content}")
+        return status
+
+
+def compare(arguments, folder):
+    both = Comparison(os.path.abspath(arguments.checker), os.path.abspath(arguments.proved), folder)
+    for name, _, proof, contents in small_cases.all_cases():
+        both.run(f"small {name}", proof, contents)
+    for name, kind, rows, lines in mutate_proofs.forgeries():
+        both.case(f"forged {name}", mutate_proofs.File([], kind, rows, [[[line.split() for line in lines]]]), True)
+    cases = []
+    contents = [mutate_proofs.read_text(path) for path in arguments.files]
+    for file in mutate_proofs.read_files(mutate_proofs.read_text(arguments.proofs), contents):
+        cases += mutate_proofs.cases_of(file, 0)
+    rng = random.Random(len(cases))
+    rng.shuffle(cases)
+    mutate_proofs.Run.cases = cases
+    for index, file in enumerate(cases[:arguments.mutants // 6]):
+        if both.case(f"given {index}", file) != 0:
+            both.failures.append(f"given {index}: not accepted")
+        for other in flipped(file):
+            both.case(f"flipped {index}", other, True)
+    done = 0
+    while done < arguments.mutants:
+        index, mutation = rng.randrange(len(cases)), rng.choice(mutate_proofs.MUTATIONS)
+        file = cases[index]
+        files = mutate_proofs.mutant_of(mutation, rng, file, mutate_proofs.same_kind(rng, file))
+        if files is None:
+            continue
+        done += 1
+        mutant, texts = mutate_proofs.text_of(files), [changed.content for changed in files]
+        name = f"mutant {mutation.__name__} of {index}"
+        if both.run(name, mutant, texts) == 0 and not mutate_proofs.is_true(mutant, texts):
+            both.failures.append(f"{name}: FALSE ACCEPTANCE\n{mutant}" + "".join(texts))
+    return both
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("--checker", required=True, help="touchstone-check")
+    parser.add_argument("--proved", required=True, help="touchstone-check-proved")
+    parser.add_argument("--mutants", type=int, default=1000, help="how many (default: 1000)")
+    parser.add_argument("proofs")
+    parser.add_argument("files", nargs="+")
+    arguments = parser.parse_args()
+    memory = "/dev/shm"
+    with tempfile.TemporaryDirectory(dir=memory if os.access(memory, os.W_OK) else None) as folder:
+        both = compare(arguments, folder)
+    for sort in ("small", "forged", "given", "flipped", "mutant"):
+        by_status = ", ".join(f"{name} {both.counts[sort, key]:,}" for name, key in (
+            ("accepted", 0), ("rejected", 1), ("errors", 2), ("not covered", "not covered")))
+        print(f"{sort:8} {by_status}")
+    # Each sort of outcome was met, so that no comparison is about nothing.
+    met = [("small", 0), ("small", 1), ("small", 2), ("forged", 1), ("given", 0), ("flipped", 1), ("mutant", 0),
+           ("mutant", 1), ("mutant", 2)]
+    both.failures += [f"{sort}: no status {status}" for sort, status in met if not both.counts[sort, status]]
+    for failure in both.failures[:10]:
+        print(failure, file=sys.stderr)
+    print(f"{len(both.failures)} differences")
+    return 1 if both.failures else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
