@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# The checker that is proved in Coq accepts the proofs of the bundled queries, of simulated ones and of degenerate ones,
-# and prints what touchstone-check prints. It rejects flipped verdicts, and says what touchstone-check says of changed
-# proofs.
+# The checker that is proved in Coq accepts the proofs of the bundled queries, of simulated ones, of degenerate ones and
+# of curved ones, and prints what touchstone-check prints. It rejects flipped verdicts, and says what touchstone-check
+# says of changed proofs.
 #
 #   same_answers.sh PROGRAM CHECKER PROVED QUERIES SEPARATION     SEPARATION: "none", or a metric and a distance
 # SPDX-License-Identifier: MIT
@@ -18,14 +18,14 @@ if [[ $separation != none ]]; then
   options=(--separation "$distance" --metric "$metric")
 fi
 both_accept() { # PROOFS FILE...: the files are proved, and both checkers print the same
-  "$program" prove "${options[@]}" --out "$1" "${@:2}" >/dev/null
+  "$program" prove "${options[@]}" --out "$1" "${@:2}" >/dev/null 2>"$folder/warnings.txt"
   "$checker" "$@" >"$folder/checker.txt"
   "$proved" "$@" >"$folder/proved.txt"
   diff "$folder/checker.txt" "$folder/proved.txt"
   tail -n 1 "$folder/proved.txt"
 }
 
-mapfile -t bundled < <(grep -L '^touchstone-curved' "$queries"/{edge-edge,vertex-face,point-edge,point-point}/*.csv)
+bundled=("$queries"/{edge-edge,vertex-face,point-edge,point-point}/*.csv)
 both_accept "$folder/bundled.txt" "${bundled[@]}"
 python3 -B "$here/random_queries.py" "$folder/random"
 random=("$folder"/random/*/random.csv)
@@ -36,13 +36,20 @@ both_accept "$folder/random.txt" "${random[@]}"
 "$program" generate --count 1000 "${options[@]}" --out "$folder/simulated" >/dev/null
 both_accept "$folder/simulated.txt" "$folder"/simulated/*/*/*.csv
 
+[[ $separation == none ]] || options[1]=$distance
+"$program" generate --curved --count 8 --out "$folder/curved" >/dev/null
+curved=("$folder"/curved/*/*/*.csv)
+both_accept "$folder/curved.txt" "${curved[@]}"
+
 # A checker that accepts all is found out.
 if python3 -B "$here/compare_checkers.py" --checker "$checker" --proved "$(command -v true)" --mutants 60 \
   "$folder/random.txt" "${random[@]}" >/dev/null 2>&1; then
   echo 'compare_checkers.py finds no difference to a program that accepts all'
   exit 1
 fi
-python3 -B "$here/compare_checkers.py" --checker "$checker" --proved "$proved" --mutants 1500 "$folder/bundled.txt" \
+python3 -B "$here/compare_checkers.py" --checker "$checker" --proved "$proved" --mutants 1200 "$folder/bundled.txt" \
   "${bundled[@]}"
-python3 -B "$here/compare_checkers.py" --checker "$checker" --proved "$proved" --mutants 1500 "$folder/random.txt" \
+python3 -B "$here/compare_checkers.py" --checker "$checker" --proved "$proved" --mutants 1200 "$folder/random.txt" \
   "${random[@]}"
+python3 -B "$here/compare_checkers.py" --checker "$checker" --proved "$proved" --mutants 600 "$folder/curved.txt" \
+  "${curved[@]}"

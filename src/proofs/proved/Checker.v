@@ -1,13 +1,13 @@
 (* The checker of a proof of one query, and the theorem. *)
 (* SPDX-License-Identifier: MIT *)
 From Coq Require Import ZArith QArith Qreals Reals Lra Lia List Bool.
-From Touchstone Require Import Statement Polynomials Geometry Corners Pieces Meeting Times.
+From Touchstone Require Import Statement Polynomials Geometry Corners Positions Pieces Meeting Times.
 Import ListNotations.
 Open Scope R_scope.
 
 (* What a proof says besides its answer. Whatever it is, an accepted answer holds. *)
 Record proof := Proof {
-  common_unit : Z;                      (* a common denominator of the coordinates *)
+  coordinate_unit : Z; turn_unit : Z;   (* common denominators of coordinates, and of quaternions *)
   pieces : list (direction * Q);        (* those with an end of their own, *)
   last_piece : direction;               (* and the last one *)
   mantissa : Z; places : Z;             (* T = mantissa / 2^places *)
@@ -54,12 +54,12 @@ Proof.
 Qed.
 
 Definition check (q : query) (a : answer) (p : proof) : bool :=
-  let u := common_unit p in
-  let A := map (moving_of u) (first q) in
-  let B := map (moving_of u) (second q) in
+  let u := coordinate_unit p in let h := turn_unit p in
+  let A := map (moving_of u h) (first q) in
+  let B := map (moving_of u h) (second q) in
   let s := apart q in
   let (ws, us) := weights p in
-  forallb (corner_fits u) (first q) && forallb (corner_fits u) (second q) && is_valid s
+  forallb (corner_fits u h) (first q) && forallb (corner_fits u h) (second q) && is_valid s
   && match a with
      | No_contact => cover s A B false 0 (pieces p) (last_piece p) 1
      | Contact_at T =>
@@ -74,8 +74,8 @@ Definition check (q : query) (a : answer) (p : proof) : bool :=
          && changes_sign (root p) i && meeting s i (root p) A B ws us
      end.
 
-Lemma all_move u corners :
-  forallb (corner_fits u) corners = true -> Forall2 moves_as (map (moving_of u) corners) corners.
+Lemma all_move u h corners :
+  forallb (corner_fits u h) corners = true -> Forall2 moves_as (map (moving_of u h) corners) corners.
 Proof.
   induction corners as [|c corners IH]; simpl; [constructor|]. rewrite andb_true_iff; intros [H H'].
   constructor; [now apply moving_of_moves | auto].
@@ -86,7 +86,8 @@ Proof.
   intros q a p H. unfold check in H. destruct (weights p) as [ws us]. cbv zeta in H.
   rewrite !andb_true_iff in H. destruct H as [[[FA FB] P] H].
   apply all_move in FA, FB. apply is_valid_sound in P.
-  set (A := map (moving_of (common_unit p)) (first q)) in *. set (B := map (moving_of (common_unit p)) (second q)) in *.
+  set (A := map (moving_of (coordinate_unit p) (turn_unit p)) (first q)) in *.
+  set (B := map (moving_of (coordinate_unit p) (turn_unit p)) (second q)) in *.
   assert (Z0 : Q2R 0 = 0) by (unfold Q2R; simpl; lra). assert (Z1 : Q2R 1 = 1) by (unfold Q2R; simpl; lra).
   destruct a as [|T|T U]; simpl.
   - intros t I. apply (cover_sound q A B false (last_piece p) 1 P FA FB ltac:(lra) (pieces p) 0); auto;

@@ -10,15 +10,10 @@ Definition plus (a b : point) : point := Point (px a + px b) (py a + py b) (pz a
 Definition minus (a b : point) : point := Point (px a - px b) (py a - py b) (pz a - pz b).
 Definition scale (k : R) (a : point) : point := Point (k * px a) (k * py a) (k * pz a).
 Definition dot (a b : point) : R := px a * px b + py a * py b + pz a * pz b.
+Definition cross (a b : point) : point :=
+  Point (py a * pz b - pz a * py b) (pz a * px b - px a * pz b) (px a * py b - py a * px b).
 
-(* A corner moves on a straight line, between two points with rational coordinates. *)
-Record rational_point := Rational { qx : Q; qy : Q; qz : Q }.
-Definition real (a : rational_point) : point := Point (Q2R (qx a)) (Q2R (qy a)) (Q2R (qz a)).
-Record corner := Corner { at_start : rational_point; at_end : rational_point }.
-Definition position (c : corner) (t : R) : point :=
-  plus (real (at_start c)) (scale t (minus (real (at_end c)) (real (at_start c)))).
-
-(* The convex hull of some points: their means, with weights that are not negative and have the sum 1. *)
+(* Sums and means with weights, over points in the order of the weights. *)
 Fixpoint total (weights : list R) : R :=
   match weights with w :: rest => w + total rest | [] => 0 end.
 Fixpoint weighted_sum (weights : list R) (points : list point) : point :=
@@ -26,6 +21,31 @@ Fixpoint weighted_sum (weights : list R) (points : list point) : point :=
   | w :: weights', a :: points' => plus (scale w a) (weighted_sum weights' points')
   | _, _ => Point 0 0 0
   end.
+
+(* Points with rational coordinates. A corner is on a Bezier curve with one to four control points, straight if they are
+   two, or at the point y of a body that turns and moves; its number decides nothing. *)
+Record rational_point := Rational { qx : Q; qy : Q; qz : Q }.
+Definition real (a : rational_point) : point := Point (Q2R (qx a)) (Q2R (qy a)) (Q2R (qz a)).
+Record motion := Motion { s_0 : Q; v_0 : rational_point; s_1 : Q; v_1 : rational_point;  (* quaternions *)
+                          p_0 : rational_point; p_1 : rational_point }.
+Inductive corner := On_curve (control : list rational_point) | On_body (number : Z) (m : motion) (y : rational_point).
+Definition between (a b : rational_point) (t : R) : point := plus (scale (1 - t) (real a)) (scale t (real b)).
+Definition curve_weights (control : nat) (t : R) : list R :=
+  match control with
+  | 1%nat => [1] | 2%nat => [1 - t; t] | 3%nat => [(1 - t) ^ 2; 2 * (1 - t) * t; t ^ 2]
+  | 4%nat => [(1 - t) ^ 3; 3 * (1 - t) ^ 2 * t; 3 * (1 - t) * t ^ 2; t ^ 3] | _ => []
+  end.
+Definition turned_by (s : R) (v y : point) : point := scale (/ (s * s + dot v v))
+  (plus (scale (s * s - dot v v) y) (plus (scale (2 * dot v y) v) (scale (2 * s) (cross v y)))).
+Definition position (c : corner) (t : R) : point :=
+  match c with
+  | On_curve control => weighted_sum (curve_weights (length control) t) (map real control)
+  | On_body _ m y =>
+      plus (turned_by ((1 - t) * Q2R (s_0 m) + t * Q2R (s_1 m)) (between (v_0 m) (v_1 m) t) (real y))
+        (between (p_0 m) (p_1 m) t)
+  end.
+
+(* The convex hull of some points: their means, with weights that are not negative and have the sum 1. *)
 Definition in_hull (points : list point) (x : point) : Prop :=
   exists weights, length weights = length points /\ (forall w, In w weights -> 0 <= w) /\ total weights = 1
     /\ x = weighted_sum weights points.

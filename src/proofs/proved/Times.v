@@ -1,7 +1,7 @@
 (* Times: rational numbers, spans between them, and neighbouring doubles. *)
 (* SPDX-License-Identifier: MIT *)
 From Coq Require Import ZArith QArith Qreals Reals Lra Lia List Bool.
-From Touchstone Require Import Statement Polynomials Corners Pieces.
+From Touchstone Require Import Statement Polynomials Positions Pieces.
 Open Scope R_scope.
 
 (* A common denominator; the greater one where it will do. *)

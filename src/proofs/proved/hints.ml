@@ -21,14 +21,14 @@ let direction f corners = function
 let rec read_pieces f corners line pieces =
   match List.rev line with
   | last :: "to" :: rest when rest <> [] ->
-    let piece = (direction f corners (List.rev rest), rational (time f last)) in
+    let piece = (direction f corners (List.rev rest), time f last) in
     read_pieces f corners (words f) (piece :: pieces)
   | _ -> let last = direction f corners line in (List.rev pieces, last, words f)
 
 let read_root f line t u = match line with
   | "root" :: rest ->
     let (rest, lower, upper) = match List.rev rest with
-      | h :: l :: "between" :: rest when rest <> [] -> (List.rev rest, rational (time f l), rational (time f h))
+      | h :: l :: "between" :: rest when rest <> [] -> (List.rev rest, time f l, time f h)
       | _ -> (rest, t, u) in
     let g = List.hd (scaled [coefficients f rest]) in
     let n = List.length g in
@@ -56,15 +56,21 @@ let mantissa_of (m, e) =
   let low = if Z.sign m = 0 then -1074 else max (e + Z.numbits m - 53) (-1074) in
   if e < low then (Z.minus_one, Z.zero) else (Z.shift_left m (e - low), Z.of_int (- low))
 
-let common_unit query =
-  let unit_of u (x : q) = if Z.divisible u x.qden then u else Z.lcm u x.qden in
-  let point u a = unit_of (unit_of (unit_of u a.qx) a.qy) a.qz in
-  List.fold_left (fun u c -> point (point u c.at_start) c.at_end) Z.one (query.first @ query.second)
+(* Common denominators: of quaternions, and of coordinates. *)
+let unit_of u (x : q) = if Z.divisible u x.qden then u else Z.lcm u x.qden
+let unit_of_point u a = unit_of (unit_of (unit_of u a.qx) a.qy) a.qz
+let turn_unit_of u m = unit_of_point (unit_of_point (unit_of (unit_of u m.s_0) m.s_1) m.v_0) m.v_1
+let units corners =
+  let add (u, h) = function
+    | On_curve control -> (List.fold_left unit_of_point u control, h)
+    | On_body (_, m, y) -> (unit_of_point (unit_of_point (unit_of_point u m.p_0) m.p_1) y, turn_unit_of h m) in
+  List.fold_left add (Z.one, Z.one) corners
 
 (* The lines after that of the answer, as far as they belong to it. @returns the proof, and the next line *)
 let read_proof f (first, second) query answer =
   let corners = first + second and zero = rational (Z.zero, 0) in
-  let p = { common_unit = common_unit query; pieces = []; last_piece = Normal; mantissa = Z.zero; places = Z.zero;
+  let (coordinate_unit, turn_unit) = units (query.first @ query.second) in
+  let p = { coordinate_unit; turn_unit; pieces = []; last_piece = Normal; mantissa = Z.zero; places = Z.zero;
             root = []; lower = zero; upper = zero; weights = ([], []) } in
   let pieces_of p line =
     let (pieces, last_piece, line) = read_pieces f corners line [] in ({ p with pieces; last_piece }, line) in
