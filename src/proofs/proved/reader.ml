@@ -137,6 +137,9 @@ let () =
   | proofs :: (_ :: _ as files) ->
     (try run proofs files with
      | Rejected reason -> finish 1 ("rejected: " ^ printable reason)
-     | Bad reason | Sys_error reason -> finish 2 ("touchstone-check-proved: " ^ printable reason)
+     | Bad reason -> finish 2 ("touchstone-check-proved: " ^ printable reason)
+     | Sys_error reason ->
+       close_out_noerr stdout;
+       finish 2 ("touchstone-check-proved: standard output cannot be written: " ^ printable reason)
      | Out_of_memory | Stack_overflow -> finish 2 "touchstone-check-proved: the files are too large")
   | _ -> finish 2 usage

@@ -27,6 +27,7 @@ let rec read_bytes f = match input_char f.channel with  (* up to a line feed; fa
     if Buffer.length f.line > longest then bad f "the line is too long: at most 2^20 bytes are read";
     Buffer.add_char f.line c;
     read_bytes f
+  | exception Sys_error reason -> bad f ("the file cannot be read to its end: " ^ reason)
   | exception End_of_file -> f.has_end <- false; Buffer.length f.line > 0
 let rec next_line f =  (* None at the end of the file *)
   Buffer.clear f.line;
@@ -47,7 +48,10 @@ let words f = match next_line f with
 let columns f = match next_line f with
   | None -> []
   | Some line when String.exists (fun c -> c < ' ' && c <> '\t') line -> bad f "the line has a control character"
-  | Some line -> List.map String.trim (String.split_on_char ',' line)
+  | Some line ->
+    let all = String.split_on_char ',' line in
+    if List.compare_length_with all 16 > 0 then bad f "a row has at most 16 columns";
+    List.map String.trim all
 
 let is_digit c = c >= '0' && c <= '9'
 let is_hex c = is_digit c || (c >= 'a' && c <= 'f') || (c >= 'A' && c <= 'F')
