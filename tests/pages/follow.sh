@@ -46,7 +46,8 @@ reason_not_to_run() {
     'cmake --build --preset '*) echo 'it builds everything, for many minutes' ;;
     'ctest '*) echo 'it runs every test, this one among them' ;;
     *touchstone_check_proved* | *touchstone-check-proved\ *)
-      command -v coqc >/dev/null && ocamlfind query zarith >/dev/null 2>&1 || echo 'Coq, OCaml or Zarith is not installed'
+      [[ $(coqc --print-version 2>/dev/null) == 8.16.* ]] && ocamlfind query zarith >/dev/null 2>&1 ||
+        echo 'Coq 8.16, OCaml or Zarith is not installed'
       ;;
     'sudo '* | 'apt-get '*) echo 'it changes the machine' ;;
     mmdebstrap* | 'git archive'* | 'mount '* | 'chroot '*) echo 'it needs root and makes a whole system' ;;
