@@ -160,20 +160,23 @@ Proof.
     unfold moving_of, body_corner, body_weight. cbn [numerator weight].
     assert (EW : forall a b, ev (pscale u (padd a b)) t = IZR u * (ev a t + ev b t))
       by (intros; now rewrite ev_scale, ev_add).
-    unfold position, turned_by.
-    unfold between, plus, scale, dot, cross, real in *; cbn [px py pz] in *.
     set (s := (1 - t) * Q2R (s_0 m) + t * Q2R (s_1 m)) in *.
-    set (x := (1 - t) * Q2R (qx (v_0 m)) + t * Q2R (qx (v_1 m))) in *.
-    set (y' := (1 - t) * Q2R (qy (v_0 m)) + t * Q2R (qy (v_1 m))) in *.
-    set (z := (1 - t) * Q2R (qz (v_0 m)) + t * Q2R (qz (v_1 m))) in *.
+    set (x := (1 - t) * Q2R (qx (v_0 m)) + t * Q2R (qx (v_1 m))).
+    set (y' := (1 - t) * Q2R (qy (v_0 m)) + t * Q2R (qy (v_1 m))).
+    set (z := (1 - t) * Q2R (qz (v_0 m)) + t * Q2R (qz (v_1 m))).
+    assert (EV : between (v_0 m) (v_1 m) t = Point x y' z) by reflexivity.
+    unfold position. fold s. rewrite EV in W |- *. unfold dot in W; cbn [px py pz] in W.
     rewrite EW, ?ev_add, ?ev_mul, !ev_line by tauto. fold s x y' z.
-    split.
-    { assert (0 < IZR u * (IZR h * IZR h)) by (repeat apply Rmult_lt_0_compat; lra).
-      replace (IZR u * (IZR h * s * (IZR h * s)
-        + (IZR h * x * (IZR h * x) + IZR h * y' * (IZR h * y') + IZR h * z * (IZR h * z))))
-        with (IZR u * (IZR h * IZR h) * (s * s + (x * x + y' * y' + z * z))) by ring.
-      now apply Rmult_lt_0_compat. }
-    apply point_eq; unfold value; cbn [px py pz vx vy vz];
+    replace (IZR u * (IZR h * s * (IZR h * s)
+      + (IZR h * x * (IZR h * x) + IZR h * y' * (IZR h * y') + IZR h * z * (IZR h * z))))
+      with (IZR u * (IZR h * IZR h) * (s * s + (x * x + y' * y' + z * z))) by ring.
+    set (k := IZR u * (IZR h * IZR h)). set (d := s * s + (x * x + y' * y' + z * z)).
+    assert (0 < k) by (repeat apply Rmult_lt_0_compat; lra). assert (D : 0 < d) by (unfold d; lra).
+    assert (times : forall a p, k * d * (/ d * a + p) = k * (a + d * p)) by (intros; field; lra).
+    split; [now apply Rmult_lt_0_compat|].
+    apply point_eq; unfold value, turned_by;
+      cbn [px py pz vx vy vz plus scale dot cross between real];
+      change (dot (Point x y' z) (Point x y' z)) with (x * x + y' * y' + z * z); fold d; rewrite times;
       repeat (rewrite ?ev_add, ?ev_sub, ?ev_mul, ?ev_scale, ?ev_line by tauto); fold s x y' z;
-      rewrite !times_unit_value by tauto; field; lra.
+      rewrite !times_unit_value by tauto; unfold k, d, dot; clearbody s x y' z; cbn [px py pz real]; ring.
 Qed.
