@@ -47,9 +47,9 @@ if python3 -B "$here/compare_checkers.py" --checker "$checker" --proved "$(comma
   echo 'compare_checkers.py finds no difference to a program that accepts all'
   exit 1
 fi
-python3 -B "$here/compare_checkers.py" --checker "$checker" --proved "$proved" --mutants 1200 "$folder/bundled.txt" \
+python3 -B "$here/compare_checkers.py" --checker "$checker" --proved "$proved" --mutants 800 "$folder/bundled.txt" \
   "${bundled[@]}"
-python3 -B "$here/compare_checkers.py" --checker "$checker" --proved "$proved" --mutants 1200 "$folder/random.txt" \
+python3 -B "$here/compare_checkers.py" --checker "$checker" --proved "$proved" --mutants 800 "$folder/random.txt" \
   "${random[@]}"
-python3 -B "$here/compare_checkers.py" --checker "$checker" --proved "$proved" --mutants 600 "$folder/curved.txt" \
+python3 -B "$here/compare_checkers.py" --checker "$checker" --proved "$proved" --mutants 300 "$folder/curved.txt" \
   "${curved[@]}"
