@@ -51,5 +51,5 @@ python3 -B "$here/compare_checkers.py" --checker "$checker" --proved "$proved" -
   "${bundled[@]}"
 python3 -B "$here/compare_checkers.py" --checker "$checker" --proved "$proved" --mutants 800 "$folder/random.txt" \
   "${random[@]}"
-python3 -B "$here/compare_checkers.py" --checker "$checker" --proved "$proved" --mutants 300 "$folder/curved.txt" \
+python3 -B "$here/compare_checkers.py" --checker "$checker" --proved "$proved" --mutants 120 "$folder/curved.txt" \
   "${curved[@]}"
