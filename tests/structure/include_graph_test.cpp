@@ -68,16 +68,16 @@ TEST_CASE(
     }
     const auto lines = static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n'));
     INFO(file);
-    CHECK(lines > 100);
+    CHECK(lines > 50);
     CHECK(lines <= kMostLines);
     CHECK_FALSE(std::regex_search(text, floating_point));
     CHECK(text.find("unordered_") == std::string::npos);  // its load factors are floating-point numbers
     CHECK(lines_of(recursive_functions(text)).empty());
-    total += lines;
+    if (file != "mesh_files.hpp") total += lines;  // which --frames alone needs
     ++files;
   }
-  constexpr std::size_t kMostOfAll = 1475;
-  CHECK(files == 4);
+  constexpr std::size_t kMostOfAll = 1700;
+  CHECK(files == 6);
   CHECK(total <= kMostOfAll);
 }
 

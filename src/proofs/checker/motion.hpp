@@ -7,7 +7,7 @@
 #include <numeric>
 #include <set>
 
-#include "checker/frames.hpp"
+#include "checker/mesh_files.hpp"
 #include "checker/queries.hpp"
 
 namespace checker {

@@ -103,10 +103,16 @@ class PlyFile {
       for (std::uint32_t i = 0; i < count; ++i) read_item(element, properties, mesh);
       require(element != "vertex" || mesh.positions.size() == 3 * std::size_t{count}, "vertices need x, y and z");
     }
-    for (const auto& face : mesh.faces) {
-      for (const std::uint32_t v : face)
-        require(v < mesh.positions.size() / 3, "a face names a vertex that is not there");
-    }
+    require(file_.peek() == std::ifstream::traits_type::eof(), "there are bytes after the last element");
+    const auto check_all = [&](const auto& elements) {
+      for (const auto& element : elements) {
+        for (const std::uint32_t v : element) {
+          require(v < mesh.positions.size() / 3, "an element names a vertex that is not there");
+        }
+      }
+    };
+    check_all(mesh.faces);
+    check_all(mesh.edges);
     return mesh;
   }
 
