@@ -1,6 +1,7 @@
 // touchstone mesh: parts that are asked about, and the least distance.
 // SPDX-License-Identifier: MIT
 #include <nlohmann/json.hpp>
+#include <sstream>
 #include <string>
 
 #include "cli/mesh_runs.hpp"
@@ -224,4 +225,32 @@ TEST_CASE("options about parts that mean nothing are refused") {
   refused({"--ignore", "base,top", "--only-between", "base,top"}, "--only-between excludes --ignore");
   refused({"--between-parts", "--prove", folder.path("p")}, "--between-parts excludes --prove");
   refused({"--between-parts", "--check", "--in-order"}, "parts are those of one mesh");
+}
+
+TEST_CASE("the option --weld closes parts, and hides no contact of two of them") {
+  const TemporaryFolder folder;
+  // Two tetrahedra at one place, each face with vertices of its own.
+  const auto tetrahedron = [](const std::string& name, int before) {
+    std::string text = "o " + name + "\n";
+    for (const char* const face :
+         {"0 0 0|0 1 0|1 0 0", "0 0 0|1 0 0|0 0 1", "0 0 0|0 0 1|0 1 0", "1 0 0|0 1 0|0 0 1"}) {
+      std::istringstream corners(face);
+      for (std::string corner; std::getline(corners, corner, '|');) text += "v " + corner + "\n";
+    }
+    for (int f = 0; f < 4; ++f) {
+      text += "f";
+      for (int k = 1; k <= 3; ++k) text += " " + std::to_string(before + 3 * f + k);
+      text += "\n";
+    }
+    return text;
+  };
+  const std::string same = folder.write("same.obj", tetrahedron("a", 0) + tetrahedron("b", 12));
+  const Run welded = mesh({"--check", "--weld", "--drop-degenerate", "--classes", same});
+  CAPTURE(welded.out, welded.err);
+  CHECK(welded.status == 1);
+  CHECK(occurrences(welded.out, "  a and b: same\n") == 1);
+  CHECK(occurrences(welded.out, "16 vertices were welded to others at the same positions") == 1);
+  CHECK(occurrences(welded.out, "left out") == 0);
+  const Run split = mesh({"--check", "--classes", same});
+  CHECK(occurrences(split.out, "2 parts are no solid and have no inside") == 1);
 }

@@ -86,7 +86,7 @@ TEST_CASE("vertices that lie on others are counted where contacts are found, and
                     one = folder.write("s-1.obj", split), two = folder.write("s-2.obj", split);
   const std::string cause =
       "4 of 7 vertices lie exactly on others: elements that meet there count as contacts; --weld joins such "
-      "vertices";
+      "vertices of one part";
   const Run run = mesh({one, two, "--report", folder.path("r.json")});
   CHECK(run.status == 1);
   CHECK(occurrences(run.out, "s-1.obj: 6 intersections\n  4 vertices lie exactly on others\n") == 1);

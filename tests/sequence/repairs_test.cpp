@@ -49,6 +49,26 @@ TEST_CASE("welded elements name the first vertex at a position, and numbers stay
   CHECK(*mended({}, split_square()).topology == *split_square().topology);
 }
 
+TEST_CASE("vertices of two parts at one position stay two, but where the mesh is one part") {
+  frames::Frame frame = split_square();
+  auto topology = *frame.topology;
+  topology.edges.clear();
+  topology.parts = {"a", "b"};
+  topology.face_parts = {0, 1};
+  frame.topology = std::make_shared<const frames::Topology>(topology);
+  CHECK(*mended({.weld = true}, frame).topology == topology);
+  CHECK(mended({.weld = true, .is_one_part = true}, frame).topology->welded_vertices == 2);
+  topology.face_parts = {1, 1};
+  frame.topology = std::make_shared<const frames::Topology>(topology);
+  CHECK(mended({.weld = true}, frame).topology->welded_vertices == 2);
+  // An edge that is in no face is in no part.
+  topology.edges = {{3, 5}};
+  topology.faces = {{0, 1, 2}};
+  topology.face_parts = {0};
+  frame.topology = std::make_shared<const frames::Topology>(topology);
+  CHECK(mended({.weld = true}, frame).topology->welded_vertices == 0);
+}
+
 TEST_CASE("frames share the welds of the first one, and vertices that come apart are named") {
   Repairs repairs({.weld = true}, false);
   frames::Frame first = split_square(), second = split_square(), apart = split_square();

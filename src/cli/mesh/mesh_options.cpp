@@ -46,9 +46,10 @@ void add_mesh(CLI::App& program, Command& command) {
                  "folder or a pattern in quotes is one part with these frames. With --check each file is a part. A "
                  "part has the name of its files, whatever objects they have")
       ->excludes("--in-order");
-  subcommand->add_flag("--weld", options->repairs.weld,
-                       "Elements name the first of the vertices at exactly one position in place of the others: for "
-                       "meshes with a vertex for each face. The first frame says which");
+  subcommand->add_flag(
+      "--weld", options->repairs.weld,
+      "Elements name the first of a part's vertices at exactly one position in place of the others: for "
+      "meshes with a vertex for each face. The first frame says which. Objects and groups are parts");
   subcommand->add_flag("--drop-degenerate", options->repairs.drop_degenerate,
                        "Leave out faces and edges that name a vertex twice, or the vertices of one before them");
   add_separation_options(*subcommand, options->separation, "The distance at which two elements are in contact");

@@ -25,8 +25,19 @@ bool same_position(const Frame& frame, MeshIndex a, MeshIndex b) {
   return std::equal(x, x + frame.topology->dimension, position_of(frame, b));
 }
 
-/// For each vertex the first one at the same position.
-std::vector<MeshIndex> first_at_position(const Frame& frame) {
+/// For each vertex 1 + the number of its part, or 0 for a vertex in no face, which has none.
+std::vector<std::uint32_t> parts_of(const Topology& topology) {
+  std::vector<std::uint32_t> parts(topology.vertex_count, 0);
+  for (std::size_t f = topology.face_parts.size(); f-- > 0;) {
+    for (const MeshIndex v : topology.faces[f]) {
+      if (v < parts.size()) parts[v] = topology.face_parts[f] + 1;
+    }
+  }
+  return parts;
+}
+
+/// For each vertex the first one at the same position in the same part: two bodies that touch stay two.
+std::vector<MeshIndex> first_at_position(const Frame& frame, const std::vector<std::uint32_t>& parts) {
   std::vector<MeshIndex> order(frame.topology->vertex_count), first(order.size());
   std::iota(order.begin(), order.end(), MeshIndex{0});
   std::sort(order.begin(), order.end(), [&](MeshIndex a, MeshIndex b) {
@@ -34,10 +45,10 @@ std::vector<MeshIndex> first_at_position(const Frame& frame) {
     for (int k = 0; k < frame.topology->dimension; ++k) {
       if (x[k] != y[k]) return x[k] < y[k];
     }
-    return a < b;
+    return std::pair(parts[a], a) < std::pair(parts[b], b);
   });
   for (std::size_t i = 0; i < order.size(); ++i) {
-    const bool again = i > 0 && same_position(frame, order[i - 1], order[i]);
+    const bool again = i > 0 && parts[order[i - 1]] == parts[order[i]] && same_position(frame, order[i - 1], order[i]);
     first[order[i]] = again ? first[order[i - 1]] : order[i];
   }
   return first;
@@ -118,7 +129,8 @@ void Repairs::begin_with(const Frame& frame, const FrameName& name) {
   first_ = name.label();
   Topology topology = *frame.topology;
   if (options_.weld) {
-    standing_for_ = first_at_position(frame);
+    const std::vector<std::uint32_t> one_part(topology.vertex_count, 0);
+    standing_for_ = first_at_position(frame, options_.is_one_part ? one_part : parts_of(topology));
     topology.welded_vertices = weld(topology, standing_for_);
   }
   if (options_.drop_degenerate) topology.dropped_elements = drop_degenerate(topology);

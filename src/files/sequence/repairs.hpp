@@ -13,7 +13,8 @@ namespace touchstone::sequence {
 
 /// What is mended.
 struct RepairOptions {
-  bool weld = false;             ///< elements name the first of the vertices at one position in place of the others
+  bool weld = false;         ///< elements name the first of a part's vertices at one position in place of the others
+  bool is_one_part = false;  ///< the mesh is one part, whatever objects it has
   bool drop_degenerate = false;  ///< what names a vertex twice, or the vertices of an element before it, is left out
 
   bool empty() const noexcept { return !weld && !drop_degenerate; }

@@ -176,7 +176,7 @@ std::vector<std::string> warnings_of(const Heading& heading, const std::vector<F
     warnings.push_back(fmt::format(
         "{} {} no solid and {} no inside: nothing is inside {}, and two of them only touch or cross (a solid has a "
         "closed "
-        "surface, with its normals outwards, and nothing else; --weld joins split vertices)",
+        "surface, with its normals outwards, and nothing else; --weld joins the split vertices of a part)",
         counted(counts.without_inside, "part"), one ? "is" : "are", one ? "has" : "have", one ? "it" : "them"));
   }
   if (counts.turning > 0) {
@@ -195,7 +195,7 @@ std::string likely_cause(const Heading& heading, const ResultCounts& counts) {
   const std::string of = heading.facts ? " of " + io::grouped(heading.facts->vertices) : std::string();
   return fmt::format(
       "{}{} vertices lie exactly on others: elements that meet there count as contacts; --weld joins such "
-      "vertices",
+      "vertices of one part",
       io::grouped(counts.coinciding), of);
 }
 

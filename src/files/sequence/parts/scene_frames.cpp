@@ -14,7 +14,9 @@ namespace touchstone::sequence {
 
 SceneFrames::SceneFrames(std::vector<ScenePart> parts, const frames::ReadOptions& reading, const RepairOptions& repairs)
     : reading_(reading) {
-  for (ScenePart& part : parts) sources_.push_back({std::move(part), {repairs, false}, {}, {}});
+  RepairOptions of_part = repairs;
+  of_part.is_one_part = true;
+  for (ScenePart& part : parts) sources_.push_back({std::move(part), {of_part, false}, {}, {}});
 }
 
 frames::Frame SceneFrames::read(std::size_t index) {
