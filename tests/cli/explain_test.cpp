@@ -23,12 +23,13 @@ TEST_CASE("the story of a query tells its corners, its cubic, its candidates and
   CHECK(run.status == 0);
   CHECK(run.err == "");
   CHECK(run.out.rfind("query 0 of " + file + " (rows 2 to 9), edge-edge\n", 0) == 0);
-  for (const char* part : {"  a0 at 0 x  -1  -0x1p+0\n", "  b1 at 1 x  0   0x0p+0\n",
-                           "\nthe coplanarity cubic V(t), exactly\n  1     4\n  t     -8\n  t^2   0\n  t^3   0\n",
-                           "\ncandidate times in [0, 1]: 1\n", "  1. t = 0x1p-1 (0.5), a simple root of V\n",
-                           "     exactly 1/2\n", "     they touch\n",
-                           "\nanswer: crossing contact, first at t = 0x1p-1 (0.5)\n", "  a        at 0.5 a0 + 0.5 a1\n",
-                           "  b        at 0.5 b0 + 0.5 b1\n", "the file's truth column says 1: holds\n"}) {
+  for (const char* part :
+       {"  a0 at 0 x  -1  -0x1p+0\n", "  b1 at 1 x  0   0x0p+0\n",
+        "\nthe coplanarity cubic V(t), times a positive number, exactly\n  1     4\n  t     -8\n  t^2   0\n  t^3   0\n",
+        "\ncandidate times in [0, 1]: 1\n", "  1. t = 0x1p-1 (0.5), a simple root of V\n", "     exactly 1/2\n",
+        "     they touch\n", "\nanswer: crossing contact, first at t = 0x1p-1 (0.5)\n",
+        "  a        at 0.5 a0 + 0.5 a1\n", "  b        at 0.5 b0 + 0.5 b1\n",
+        "the file's truth column says 1: holds\n"}) {
     CAPTURE(part);
     CHECK(occurrences(run.out, part) == 1);
   }
@@ -54,7 +55,7 @@ TEST_CASE("any query of a file can be told, of every kind, with the answer that 
         CHECK(occurrences(run.out.substr(run.out.find("\nanswer: ")), io::hexfloat(answer.toi)) == 1);
       }
       CHECK(occurrences(run.out, " says " + std::string(answer.contact ? "1" : "0") + ": holds\n") == 1);
-      CHECK(occurrences(run.out, "coplanarity cubic V(t), exactly") ==
+      CHECK(occurrences(run.out, "coplanarity cubic V(t), times a positive number, exactly") ==
             (kind == Kind::edge_edge || kind == Kind::vertex_face ? 1 : 0));
     }
   }

@@ -267,7 +267,7 @@ TEST_CASE("explain tells the distance's polynomials, the feet and the answer, an
   CHECK(run.err == "");
   for (const char* part :
        {"\nseparation 0x1p+0 (1), euclidean: d below\n",
-        "\nthe polynomial of p against q, exactly\n  1     8\n  t     -24\n  t^2   16\n",
+        "\nthe polynomial of p against q, times a positive number, exactly\n  1     8\n  t     -24\n  t^2   16\n",
         "       distance - d  positive\n     they are farther apart than d\n",
         "  2. t = 0x1p-1 (0.5), a simple root of p against q\n     exactly 1/2\n     they are within d\n",
         "\nanswer: entering contact, first at t = 0x1p-1 (0.5)\n  the distance then falls\n",

@@ -9,6 +9,7 @@
 #include <limits>
 #include <vector>
 
+#include "cli/shared/command_line/common_options.hpp"
 #include "cli/shared/command_line/turns.hpp"
 #include "cli/shared/progress/summary.hpp"
 #include "cli/shared/words.hpp"
@@ -120,7 +121,7 @@ std::string refuted_for_person(const certify::RefutedClaim& refuted, io::Turns t
                      io::printable(refuted.file), refuted.query, refuted.first_row, refuted.last_row,
                      name_of(refuted.verdict), claimed, truth,
                      explain_command(refuted.file, refuted.kind(), refuted.query, refuted.separation),
-                     turns_argument(turns), decimals == io::Decimals::nearest_double ? " --as-doubles" : "");
+                     turns_argument(turns), decimals_argument(decimals));
 }
 
 }  // namespace touchstone::cli

@@ -95,7 +95,7 @@ std::uint64_t write_query_page(const std::string& path, const Input& input, cons
                                const Explanation& explanation, const OneQuery& options) {
   const std::string about =
       explain_command(input.name, input.kind, record.number, options.separation.separation, options.t_max) +
-      turns_argument(options.turns);
+      turns_argument(options.turns) + decimals_argument(options.decimals);
   const view::QueryToShow shown{heading(input, record), about,         explanation.corners,          record.query,
                                 explanation.story,      options.t_max, options.separation.separation};
   const std::string page = view::page_text(view::query_page(shown));

@@ -80,7 +80,9 @@ std::string degree_for_person(std::vector<std::string> coefficients) {
 }
 
 std::string coplanarity_for_person(const exact::Story& story, bool curved) {
-  if (!curved) return "\nthe coplanarity cubic V(t), exactly\n" + coefficients_for_person(story.coefficients);
+  if (!curved)
+    return "\nthe coplanarity cubic V(t), times a positive number, exactly\n" +
+           coefficients_for_person(story.coefficients);
   return "\nthe coplanarity V(t), times a positive function of t that makes it a polynomial, exactly: " +
          degree_for_person(story.coefficients);
 }
@@ -120,7 +122,7 @@ std::string polynomials_for_person(const exact::Story& story, bool curved, doubl
   for (const auto& polynomial : story.polynomials) {
     text += fmt::format("\nthe polynomial of {}, ", polynomial.name);
     text += curved ? "times a positive function of t, exactly: " + degree_for_person(polynomial.coefficients)
-                   : "exactly\n" + coefficients_for_person(polynomial.coefficients);
+                   : "times a positive number, exactly\n" + coefficients_for_person(polynomial.coefficients);
   }
   constexpr std::size_t kListed = 9;  // all pairs of features
   const std::vector<std::string>& others = story.without_root;

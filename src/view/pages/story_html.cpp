@@ -72,8 +72,9 @@ std::string story_html(Kind kind, bool curved, const exact::Story& story, double
   std::string text = answer_html(kind, story.answer, t_max, separation);
   text += "<section>\n<h2>Exact polynomials</h2>\n";
   if (story.has_cubic) {
-    text +=
-        polynomial(curved ? "V(t), times a positive function of t" : "The coplanarity cubic V(t)", story.coefficients);
+    text += polynomial(
+        curved ? "V(t), times a positive function of t" : "The coplanarity cubic V(t), times a positive number",
+        story.coefficients);
   }
   for (const auto& p : story.polynomials) text += polynomial(p.name, p.coefficients);
   text += "<p>" + escaped(story.why) + "</p>\n</section>\n";

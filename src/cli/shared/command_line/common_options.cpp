@@ -77,6 +77,10 @@ void add_decimals_option(CLI::App& subcommand, io::Decimals& decimals) {
       "A decimal in a file of queries or claims that is no double stands for the nearest double, not for itself");
 }
 
+std::string decimals_argument(io::Decimals decimals) {
+  return decimals == io::Decimals::nearest_double ? " --as-doubles" : "";
+}
+
 void add_numbers_option(CLI::App& subcommand, io::Numbers& numbers) {
   subcommand
       .add_option_function<std::string>(

@@ -33,6 +33,8 @@ struct QueryOptions {
 
 void add_kind_option(CLI::App& subcommand, std::optional<Kind>& kind);
 void add_decimals_option(CLI::App& subcommand, io::Decimals& decimals);
+/// " --as-doubles", or nothing.
+std::string decimals_argument(io::Decimals decimals);
 void add_numbers_option(CLI::App& subcommand, io::Numbers& numbers);
 void add_query_options(CLI::App& subcommand, QueryOptions& options);
 void add_seed_option(CLI::App& subcommand, std::uint64_t& seed);

@@ -12,10 +12,10 @@ namespace touchstone::cli {
 namespace {
 
 std::optional<certify::TimeLimit> time_limit(const std::string& text) {
-  constexpr std::string_view kUlps = "ulps";
   certify::TimeLimit limit;
-  if (text.ends_with(kUlps)) {
-    const std::string number = text.substr(0, text.size() - kUlps.size());
+  if (const std::size_t unit = text.find("ulp");
+      unit != std::string::npos && (text.ends_with("ulp") || text.ends_with("ulps"))) {
+    const std::string number = text.substr(0, unit);
     if (!check_whole_number(number, 0).empty()) return std::nullopt;
     limit.ulps = std::stoull(number);
     return limit;
