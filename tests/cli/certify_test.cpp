@@ -198,6 +198,7 @@ TEST_CASE("claims that are late within a limit, or wrong in other ways, are coun
   CHECK(certify({"--late", "0"}).status == 1);
   CHECK(certify({"--late", "0ulps"}).status == 1);
   CHECK(certify({"--late", "1ulps"}).status == 0);
+  CHECK(certify({"--late", "1ulp"}).status == 0);
   CHECK(occurrences(certify({"--class", "holds"}).err, "--class: holds not in {missed,phantom,late}") == 1);
   CHECK(occurrences(certify({"--late", "2 ulps"}).err, "must be a number of ulps, 16ulps") == 1);
 }

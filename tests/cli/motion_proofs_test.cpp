@@ -431,9 +431,10 @@ TEST_CASE("mesh: a checker compares a motion with the frames, bit by bit") {
     refused(status, message);
     folder.write("f-7.obj", seventh);
   };
-  with_seventh(frame(8), 1, "f-7.obj and frame 7: the coordinates of vertex 3 differ");
+  with_seventh(frame(8), 1, "f-7.obj and frame 7: the coordinates of vertex 3, counted from 0, differ");
   with_seventh(seventh + "v 0 0 0\n", 1, "f-7.obj and frame 7: 7 vertices, and 6");
-  with_seventh(seventh + "f 1 2 4\n", 1, "f-7.obj and frame 7: face 2 of the file is none of the motion");
+  with_seventh(seventh + "f 1 2 4\n", 1,
+               "f-7.obj and frame 7: face 2 of the file, counted from 0, is none of the motion");
   with_seventh(seventh + "f 1 2 3 4\n", 2, "f-7.obj:10: --frames reads triangles alone");
   with_seventh(seventh + "f 1 2 7\n", 2, "f-7.obj:10: \"7\" is no vertex above this line");
   // What another reader may take for a face, a line or a point.

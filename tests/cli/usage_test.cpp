@@ -139,6 +139,20 @@ TEST_CASE("queries of decimals are solved, and what a proof is about is fraction
   CHECK(occurrences(run_program({"solve", whole}).out, contact + "exact\n") == 1);
   CHECK(occurrences(run_program({"solve", "--as-doubles", whole}).out, contact + "bracket\n") == 1);
   CHECK(run_program({"certify", whole}).out.starts_with("all 1 claims hold"));
+  for (const bool doubles : {false, true}) {  // a page's command is that of its query
+    std::vector<std::string> words = {"explain", "--query", "0", "--html", folder.path("page.html"), whole};
+    if (doubles) words.insert(words.begin() + 1, "--as-doubles");
+    REQUIRE(run_program(words).status == 0);
+    CHECK((occurrences(folder.read("page.html"), " --as-doubles") > 0) == doubles);
+  }
+  // The names that pandas gives columns would be read as a query.
+  std::string counted = "0";
+  for (int i = 1; i < 25; ++i) counted += "," + std::to_string(i);
+  const std::string row = folder.read("edge-edge/whole.csv");
+  check_refused({"solve", folder.write("edge-edge/pandas.csv", counted + "\n" + row)},
+                ":1: the first row counts from 0, as pandas names columns");
+  const std::string named_ones = "x,y,z,x,y,z,x,y,z,x,y,z,x,y,z,x,y,z,x,y,z,x,y,z,truth\n";
+  CHECK(run_program({"solve", folder.write("edge-edge/named_ones.csv", named_ones + row)}).status == 0);
   CHECK(occurrences(run_program({"explain", "--query", "0", whole}).out, "z  1/10   no double") == 2);
   for (const std::vector<std::string>& command : std::vector<std::vector<std::string>>{
            {"prove", "--out", folder.path("p.txt"), whole}, {"certify", "--proofs", folder.path("p.txt"), whole}}) {

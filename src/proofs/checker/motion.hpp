@@ -76,7 +76,7 @@ class MotionFile {
             std::to_string(mesh.positions.size() / 3) + " vertices, and " + std::to_string(count_));
     for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
       require(compare(mesh.positions[i], frames_[end][i]) == 0,
-              "the coordinates of vertex " + std::to_string(i / 3) + " differ");
+              "the coordinates of vertex " + std::to_string(i / 3) + ", counted from 0, differ");
     }
     const auto sorted = [](std::array<std::uint32_t, 3> face) {
       std::sort(face.begin(), face.end());
@@ -86,7 +86,7 @@ class MotionFile {
     for (const Element& face : elements_[2]) faces.insert(sorted(face.vertices));
     for (std::size_t i = 0; i < mesh.faces.size(); ++i) {
       require(faces.count(sorted(mesh.faces[i])) > 0,
-              "face " + std::to_string(i) + " of the file is none of the motion");
+              "face " + std::to_string(i) + " of the file, counted from 0, is none of the motion");
     }
     std::set<std::array<std::uint32_t, 2>> edges;
     for (const Element& edge : elements_[1]) edges.insert(side(edge.vertices[0], edge.vertices[1]));

@@ -63,6 +63,14 @@ bool names_columns(std::string_view row) {
   return std::all_of(fields.begin(), fields.end(), is_word);
 }
 
+bool counts_from_zero(std::string_view row) {
+  const auto fields = fields_of(row);
+  for (std::size_t i = 0; i < fields.size(); ++i) {
+    if (fields[i] != std::to_string(i)) return false;
+  }
+  return true;
+}
+
 std::string fault_of_names(std::string_view names, std::string_view row, Kind kind) {
   const auto words = fields_of(names);
   const std::size_t columns = fields_of(row).size();

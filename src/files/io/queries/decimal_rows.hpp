@@ -32,6 +32,9 @@ std::optional<RowFormat> format_of_row(std::string_view row, Kind kind);
 /// Whether a row names columns: each of its fields is a word.
 bool names_columns(std::string_view row);
 
+/// Whether the fields of a row are the numbers 0, 1, 2 and so on.
+bool counts_from_zero(std::string_view row);
+
 /// Why the names of a line before the first row contradict that row, or an empty text. As many names as columns, x, y
 /// and z in their order, and a truth, and no number of the query, in the last column that the format has room for.
 std::string fault_of_names(std::string_view names, std::string_view row, Kind kind);

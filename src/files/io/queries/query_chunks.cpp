@@ -120,6 +120,12 @@ bool QueryChunkReader::scan_first_row(std::string_view row) {
     if (names_row_ != 0 && format_of_row(row, kind_)) {
       if (std::string fault = fault_of_names(names_, row, kind_); !fault.empty()) refuse(names_row_, std::move(fault));
     }
+    if (names_row_ == 0 && format_ == RowFormat::whole_query && counts_from_zero(row)) {
+      refuse(
+          first_row_ + lines_,
+          "the first row counts from 0, as pandas names columns; write the file without names (header=False), or with "
+          "such as x,y,z, before a query that is so");
+    }
     return error_.empty();
   }
   if (names_row_ != 0) {
