@@ -128,7 +128,8 @@ void MeshAnimation::add_contacts(const std::vector<sequence::PairContact>& pairs
   contacts_ += pairs.size();
   for (const sequence::PairContact& contact : pairs) {
     const Query query = sequence::query_of(contact, before, after);
-    // Neighbours along a wire, and those of --self, are asked about touching alone; an answer about a separation has a trend.
+    // Neighbours along a wire, and those of --self, are asked about touching alone. An answer about a separation has
+    // a trend.
     const Separation separation = contact.trend == Trend::none ? Separation() : separation_;
     const Answer answer = solve(query, {.separation = separation});
     const Triple point = view::touched_point(query, answer);

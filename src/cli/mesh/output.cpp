@@ -237,7 +237,8 @@ std::string MeshOutput::pair_lines(const std::vector<sequence::PairContact>& pai
 
 std::string MeshOutput::write_query(const sequence::PairContact& pair, const sequence::Result& result,
                                     const frames::Frame& before, const frames::Frame& after) {
-  // Neighbours along a wire, and those of --self, are asked about touching alone; an answer about a separation has a trend.
+  // Neighbours along a wire, and those of --self, are asked about touching alone. An answer about a separation has
+  // a trend.
   const bool fold = report_.heading.separation.distance > 0 && pair.trend == Trend::none;
   const Separation separation = fold ? Separation() : report_.heading.separation;
   auto& target = queries_[static_cast<std::size_t>(pair.kind)][fold ? 1 : 0];

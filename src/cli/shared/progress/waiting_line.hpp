@@ -11,8 +11,8 @@
 
 namespace touchstone::cli {
 
-/// While something takes longer than a second, a thread draws the line "TEXT, 12 s". Where standard error is no terminal,
-/// or no thread can be started, nothing is drawn. Other lines are written only between end() and begin().
+/// While something takes longer than a second, a thread draws the line "TEXT, 12 s". Where standard error is no
+/// terminal, or no thread can be started, nothing is drawn. Other lines are written only between end() and begin().
 class WaitingLine {
  public:
   WaitingLine();
