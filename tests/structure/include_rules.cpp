@@ -22,6 +22,7 @@ const LayerTable& layer_table() {
       {"families", {"geometry", "seeded"}},
       {"broad_phase", {"threads"}},
       {"mesh", {"solver", "broad_phase", "filters", "threads", "geometry", "numbers"}},
+      {"rigid", {"mesh", "solver", "broad_phase", "filters", "threads", "geometry", "numbers"}},
       {"frames", {"io", "json", "mesh"}},
       {"dropin", {"solver"}},
       {"c_api", {"solver", "mesh"}},
@@ -60,7 +61,7 @@ const LayerTable& layer_table() {
 const std::map<std::string, Wing>& wing_table() {
   static const std::map<std::string, Wing> table = {
       {"core",
-       {{"geometry", "numbers", "threads", "filters", "exact", "oracle", "solver", "certify", "broad_phase", "mesh"},
+       {{"geometry", "numbers", "threads", "filters", "exact", "oracle", "solver", "certify", "broad_phase", "mesh", "rigid"},
         {}}},
       {"files", {{"io", "json", "frames", "pipes", "sequence"}, {"core"}}},
       {"cases", {{"seeded", "families", "generators", "baselines"}, {"core"}}},
@@ -134,6 +135,7 @@ const std::map<std::string, std::string>& header_owners() {
       {"curved_query.hpp", ""},
       {"screw.hpp", "solver"},
       {"mesh.hpp", "mesh"},
+      {"bodies.hpp", "rigid"},
       {"certify.hpp", "certify"},
       {"fuzz.hpp", "fuzz"},
       {"plugin.h", "fuzz"},

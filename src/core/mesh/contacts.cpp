@@ -3,15 +3,14 @@
 
 #include <algorithm>
 #include <atomic>
-#include <limits>
 #include <mutex>
-#include <optional>
 #include <tuple>
 
 #include <touchstone/contact_times.hpp>
 #include <touchstone/solve.hpp>
 
 #include "mesh/candidates.hpp"
+#include "mesh/earliest.hpp"
 #include "mesh/intersections.hpp"
 #include "mesh/narrow.hpp"
 #include "numbers/doubles/float_environment.hpp"
@@ -22,56 +21,10 @@
 namespace touchstone::mesh {
 namespace {
 
-/// A pair in contact, and the distance that it was to keep.
-struct Found {
-  MeshPair pair;
-  double distance;
-  bool operator<(const Found& other) const { return pair < other.pair; }
-};
-
-/// The contacts that begin first, of those that were told so far, and the contacts at the start. Any thread may tell.
-class Earliest {
- public:
-  explicit Earliest(double t_max) : until_(t_max) {}
-
-  /// Nothing after this time can change the result.
-  const std::atomic<double>& until() const noexcept { return until_; }
-
-  void tell(const MeshPair& pair, double distance, const Answer& answer) {
-    const std::lock_guard<std::mutex> guard(lock_);
-    if (answer.starts_within) {
-      at_start_.push_back({pair, distance});
-      return;
-    }
-    const auto told = std::tuple(answer.toi, answer.toi_upper), known = std::tuple(toi_, toi_upper_);
-    if (told > known) return;
-    if (told < known) {
-      first_.clear();
-      std::tie(toi_, toi_upper_) = told;
-      until_.store(toi_upper_, std::memory_order_relaxed);  // it is at most t_max
-    }
-    first_.push_back({pair, distance});
-  }
-
-  double toi() const noexcept { return toi_; }
-  double toi_upper() const noexcept { return toi_upper_; }
-  std::vector<Found>& first() noexcept { return first_; }
-  std::vector<Found>& at_start() noexcept { return at_start_; }
-
- private:
-  std::mutex lock_;
-  std::atomic<double> until_;
-  double toi_ = std::numeric_limits<double>::infinity();
-  double toi_upper_ = std::numeric_limits<double>::infinity();
-  std::vector<Found> first_, at_start_;
-};
-
-constexpr std::size_t kContactsAtATime = 16;
-
 /// The whole answers for pairs, in ascending order. They are asked about again, over the whole range of times: an
 /// answer that was found by a shorter one may have other last bits in its weights, and the range depends on the
 /// threads.
-std::vector<MeshContact> with_answers(const Mesh::Impl& mesh, const Motion& motion, std::vector<Found>& found,
+std::vector<MeshContact> with_answers(const Mesh::Impl& mesh, const Motion& motion, std::vector<Found<MeshPair>>& found,
                                       const ContactSearch& search) {
   std::sort(found.begin(), found.end());
   std::vector<MeshContact> contacts(found.size());
@@ -84,31 +37,6 @@ std::vector<MeshContact> with_answers(const Mesh::Impl& mesh, const Motion& moti
     }
   });
   return contacts;
-}
-
-/// Of contacts whose times lie between two neighbouring doubles, those whose time is exactly the least.
-void keep_exactly_first(const Mesh::Impl& mesh, const Motion& motion, std::vector<MeshContact>& contacts, int threads) {
-  if (contacts.size() < 2 || contacts[0].answer.toi == contacts[0].answer.toi_upper) return;
-  std::vector<std::optional<ExactTime>> times(contacts.size());
-  threads::for_each_range(contacts.size(), kContactsAtATime, threads, [&](std::size_t first, std::size_t last) {
-    for (std::size_t i = first; i < last; ++i) {
-      const MeshContact& contact = contacts[i];
-      const Query query = query_of(motion, contact.pair.kind, corners_of(mesh, contact.pair));
-      times[i] = contact_times(query, contact.separation, contact.answer.toi_upper).front().first;
-    }
-  });
-  std::vector<MeshContact> earliest;
-  const ExactTime* least = nullptr;
-  for (std::size_t i = 0; i < contacts.size(); ++i) {
-    const int order = least == nullptr ? -1 : times[i]->compare(*least);
-    if (order > 0) continue;
-    if (order < 0) {
-      earliest.clear();
-      least = &*times[i];
-    }
-    earliest.push_back(contacts[i]);
-  }
-  contacts = std::move(earliest);
 }
 
 /// Hands out the pairs that may come nearer than they are to keep.
@@ -124,7 +52,8 @@ void for_each_near_block(const Mesh::Impl& mesh, const Motion& motion, const Con
 }
 
 /// Tells of all contacts that may be the earliest, and of those at the start.
-void find_earliest(const Mesh::Impl& mesh, const Motion& motion, const ContactSearch& search, Earliest& earliest) {
+void find_earliest(const Mesh::Impl& mesh, const Motion& motion, const ContactSearch& search,
+                   Earliest<MeshPair>& earliest) {
   const KeptDistances distances(mesh, motion, search.kept_fraction);
   const ContactConsumer tell = [&](const MeshPair& pair, double distance, const Answer& answer) {
     earliest.tell(pair, distance, answer);
@@ -144,20 +73,23 @@ double first_time(const Mesh::Impl& mesh, const Motion& motion, const ContactSea
   touching.kept_fraction = 0;
   touching.candidates = nullptr;
   if (search.candidates != nullptr) search.candidates->count_search();
-  Earliest earliest(search.t_max);
+  Earliest<MeshPair> earliest(search.t_max);
   find_earliest(mesh, motion, touching, earliest);
   return earliest.until();
 }
 
 FirstContact find_first(const Mesh::Impl& mesh, const Motion& motion, const ContactSearch& search) {
-  Earliest earliest(std::min(search.t_max, search.known_by));
+  Earliest<MeshPair> earliest(std::min(search.t_max, search.known_by));
   find_earliest(mesh, motion, search, earliest);
   FirstContact result;
   result.contact = !earliest.first().empty();
   result.toi = earliest.toi();
   result.toi_upper = earliest.toi_upper();
   result.earliest = with_answers(mesh, motion, earliest.first(), search);
-  keep_exactly_first(mesh, motion, result.earliest, search.threads);
+  keep_exactly_first(result.earliest, search.threads, [&](const MeshContact& contact) {
+    const Query query = query_of(motion, contact.pair.kind, corners_of(mesh, contact.pair));
+    return contact_times(query, contact.separation, contact.answer.toi_upper).front().first;
+  });
   result.at_start = with_answers(mesh, motion, earliest.at_start(), search);
   result.start_checked = search.check_start;
   if (search.check_start) result.start_intersections = find_intersections(mesh, motion, search.threads, search.stop);

@@ -13,7 +13,9 @@
 #include <touchstone/solve.hpp>
 
 #include "mesh/contacts.hpp"
+#include "mesh/obstacles.hpp"
 #include "mesh/pair_distance.hpp"
+#include "numbers/doubles/between.hpp"
 #include "numbers/doubles/decimal_text.hpp"
 #include "numbers/doubles/float_environment.hpp"
 #include "solver/cascade.hpp"
@@ -22,106 +24,18 @@
 namespace touchstone::mesh {
 namespace {
 
-double next_below(double x) noexcept { return std::nextafter(x, -std::numeric_limits<double>::infinity()); }
-
-/// x0 + length (x1 - x0), within the error that FreeStep::positions states, and between x0 and x1; exactly x1 for the
-/// length 1.
-double coordinate_at(double x0, double x1, double length) noexcept {
-  if (x0 == x1 || length == 1) return x1;
-  const double difference = x1 - x0;
-  if (!std::isfinite(difference)) return 2 * coordinate_at(x0 / 2, x1 / 2, length);
-  // The errors of the difference, of the product and of the sum are known, and are added to the sum: so it is rounded
-  // once, but for terms of second order.
-  const double x0_virtual = x1 - difference;
-  const double difference_error = (x0_virtual - x0) + (x1 - (difference + x0_virtual));
-  const double product = length * difference;
-  const double product_error = std::fma(length, difference, -product) + length * difference_error;
-  const double sum = x0 + product;
-  const double product_virtual = sum - x0;
-  const double sum_error = (x0 - (sum - product_virtual)) + (product - product_virtual);
-  const double at = sum + (sum_error + product_error);
-  return std::clamp(at, std::min(x0, x1), std::max(x0, x1));
-}
-
-/// The same, rounded to the nearest float, for x0 and x1 that are floats: so it is between them, too.
+/// The double between x0 and x1 after a length, rounded to the nearest float, for x0 and x1 that are floats: so it is between them, too.
 double float_at(double x0, double x1, double length) noexcept {
-  return static_cast<double>(static_cast<float>(coordinate_at(x0, x1, length)));
+  return static_cast<double>(static_cast<float>(numbers::between(x0, x1, length)));
 }
 
 Vec3 position_at(const MovingVertex& vertex, double length, bool float32) noexcept {
-  const auto at = float32 ? float_at : coordinate_at;
+  const auto at = float32 ? float_at : numbers::between;
   return {at(vertex.start.x, vertex.end.x, length), at(vertex.start.y, vertex.end.y, length),
           at(vertex.start.z, vertex.end.z, length)};
 }
 
 bool equal(const Vec3& a, const Vec3& b) noexcept { return a.x == b.x && a.y == b.y && a.z == b.z; }
-
-/// The pairs that stand in the way of a step.
-class Obstacles {
- public:
-  Obstacles(const Mesh::Impl& mesh, const Motion& step, bool float32) : mesh_(mesh), step_(step), float32_(float32) {}
-
-  void add(const std::vector<MeshContact>& contacts) {
-    for (const MeshContact& contact : contacts) {
-      Obstacle obstacle;
-      obstacle.query = query_of(step_, contact.pair.kind, corners_of(mesh_, contact.pair));
-      obstacle.separation = contact.separation;
-      obstacles_.push_back(obstacle);
-    }
-  }
-
-  /// Whether no obstacle is met on the path to the rounded positions after this length. The last obstacle that was met
-  /// is asked about first: it is often met again.
-  bool let_pass(double length) {
-    for (std::size_t i = 0; i < obstacles_.size(); ++i) {
-      if (!is_met(obstacles_[i], length)) continue;
-      std::swap(obstacles_[0], obstacles_[i]);
-      return false;
-    }
-    return true;
-  }
-
- private:
-  struct Obstacle {
-    Query query;  ///< the whole step
-    Separation separation;
-  };
-
-  bool is_met(const Obstacle& obstacle, double length) const {
-    Query path = obstacle.query;
-    for (std::size_t c = 0; c < corner_count(path.kind); ++c) {
-      path.end[c] = position_at({path.start[c], path.end[c]}, length, float32_);
-    }
-    return solve(path, {.separation = obstacle.separation, .wanted = Wanted::contact}).contact;
-  }
-
-  const Mesh::Impl& mesh_;
-  const Motion& step_;
-  bool float32_;
-  std::vector<Obstacle> obstacles_;
-};
-
-/// A length <= `longest` that the obstacles let pass, and such that the next longer length that was tried is not let
-/// pass. The greatest length of this sort is not sought: rounding lets lengths pass, and stops others, in no order.
-double length_that_passes(Obstacles& obstacles, double longest) {
-  if (obstacles.let_pass(longest)) return longest;
-  double blocked = longest, step = longest - next_below(longest), free = 0;
-  while (true) {  // it ends: at the latest where the rounded positions are those of the start
-    const double length = step < blocked / 2 ? blocked - step : blocked / 2;
-    if (length == 0) return 0;
-    if (obstacles.let_pass(length)) {
-      free = length;
-      break;
-    }
-    blocked = length;
-    step *= 2;
-  }
-  while (true) {
-    const double middle = free + (blocked - free) / 2;
-    if (middle <= free || middle >= blocked) return free;
-    (obstacles.let_pass(middle) ? free : blocked) = middle;
-  }
-}
 
 std::vector<double> packed(const Motion& motion, int dimension, bool at_end) {
   std::vector<double> positions;
@@ -210,34 +124,37 @@ TOUCHSTONE_BEHIND_GUARD FreeStep find_step(const Mesh::Impl& mesh, const Positio
     result.positions = packed(step, mesh.dimension, true);
     return result;
   }
-  Obstacles obstacles(mesh, step, options.float32);
-  obstacles.add(result.first_contact.earliest);
-  const FirstContact& contact = result.first_contact;
-  const double before = contact.toi < contact.toi_upper ? contact.toi : next_below(contact.toi);
-  double longest = before;
-  while (true) {
+  const auto path_of_pair = [&](Query path, double length) {
+    for (std::size_t c = 0; c < corner_count(path.kind); ++c) {
+      path.end[c] = position_at({path.start[c], path.end[c]}, length, options.float32);
+    }
+    return path;
+  };
+  Obstacles<Query, decltype(path_of_pair)> obstacles(path_of_pair);
+  const auto add = [&](const std::vector<MeshContact>& contacts) {
+    for (const MeshContact& contact : contacts) {
+      obstacles.add(query_of(step, contact.pair.kind, corners_of(mesh, contact.pair)), contact.separation);
+    }
+  };
+  add(result.first_contact.earliest);
+  Motion path;
+  const auto attempt = [&](double length) {
     check_stop(options.stop);
-    result.length = length_that_passes(obstacles, longest);
-    const Motion path = path_of(step, result.length, options);
+    path = path_of(step, length, options);
     const bool moves =
         std::any_of(path.begin(), path.end(), [](const MovingVertex& v) { return !equal(v.start, v.end); });
-    if (!moves || result.length == 0) {
-      result.outcome = StepOutcome::no_room;
-      result.positions = packed(step, mesh.dimension, false);
-      return result;
-    }
+    if (!moves || length == 0) return Tried::no_room;
     const std::vector<MeshContact> met = find_all(mesh, path, search);
     ++result.proofs;
-    if (met.empty()) {
-      result.outcome = StepOutcome::shortened;
-      result.positions = packed(path, mesh.dimension, true);
-      return result;
-    }
-    obstacles.add(met);
-    longest = result.length;
-    constexpr int kPatience = 6;  // proofs, before more is given away at a time
-    if (result.proofs > kPatience) longest = std::max(longest / 2, before - 2 * (before - longest));
-  }
+    add(met);
+    return met.empty() ? Tried::free : Tried::blocked;
+  };
+  Tried tried;
+  result.length = shortened(obstacles, result.first_contact, attempt, tried);
+  const bool is_free = tried == Tried::free;
+  result.outcome = is_free ? StepOutcome::shortened : StepOutcome::no_room;
+  result.positions = is_free ? packed(path, mesh.dimension, true) : packed(step, mesh.dimension, false);
+  return result;
 }
 
 void check_fraction(double fraction) {

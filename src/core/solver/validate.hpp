@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <cstring>
+#include <string>
 
 #include <touchstone/curved_query.hpp>
 #include <touchstone/error.hpp>
@@ -62,6 +63,10 @@ void validate(const Query& query, double t_max);
 
 /// @throws InvalidQuery  naming the kind, t_max or the first coordinate that is not a fraction
 void validate(const RationalQuery& query, double t_max);
+
+/// @param name  what the message calls it
+/// @throws InvalidQuery  for a number that is not finite, or a quaternion that is zero at an end or between them
+void validate(const RigidMotion& motion, const std::string& name);
 
 /// @throws InvalidQuery  naming the kind, t_max, the first corner or the first motion without meaning
 void validate(const CurvedQuery& query, double t_max);

@@ -32,19 +32,6 @@ void validate_orientation(const std::array<double, 4>& q, const std::string& wha
   if (zero) throw InvalidQuery(what + " is zero; an orientation needs a component that is not 0");
 }
 
-void validate(const RigidMotion& motion, std::size_t index) {
-  const std::string name = "motion " + std::to_string(index);
-  validate_orientation(motion.q0, name + ": the quaternion q0");
-  validate_orientation(motion.q1, name + ": the quaternion q1");
-  validate_finite(motion.p0, name + ": the position p0");
-  validate_finite(motion.p1, name + ": the position p1");
-  const auto time = numbers::zero_between(motion.q0, motion.q1);
-  if (!time) return;
-  throw InvalidQuery(name + ": q1 is q0 times a negative number, so that (1 - t) q0 + t q1 is zero near t = " +
-                     numbers::decimal_text(*time) +
-                     "; change the sign of all components of q1: the orientation at t = 1 stays the same");
-}
-
 void validate(const CurvedCorner& corner, const std::string& name) {
   const int last_motion = static_cast<int>(CurvedQuery().motions.size()) - 1;
   const int most_points = static_cast<int>(corner.points.size());
@@ -100,6 +87,18 @@ bool certainly_valid(const CurvedQuery& query, double t_max) noexcept {
 
 }  // namespace
 
+void validate(const RigidMotion& motion, const std::string& name) {
+  validate_orientation(motion.q0, name + ": the quaternion q0");
+  validate_orientation(motion.q1, name + ": the quaternion q1");
+  validate_finite(motion.p0, name + ": the position p0");
+  validate_finite(motion.p1, name + ": the position p1");
+  const auto time = numbers::zero_between(motion.q0, motion.q1);
+  if (!time) return;
+  throw InvalidQuery(name + ": q1 is q0 times a negative number, so that (1 - t) q0 + t q1 is zero near t = " +
+                     numbers::decimal_text(*time) +
+                     "; change the sign of all components of q1: the orientation at t = 1 stays the same");
+}
+
 void validate(const CurvedQuery& query, double t_max) {
   if (certainly_valid(query, t_max)) return;
   validate_kind(query.kind);
@@ -112,7 +111,7 @@ void validate(const CurvedQuery& query, double t_max) {
     if (corner.motion != CurvedCorner::kOnCurve) used[static_cast<std::size_t>(corner.motion)] = true;
   }
   for (std::size_t m = 0; m < used.size(); ++m) {
-    if (used[m]) validate(query.motions[m], m);
+    if (used[m]) validate(query.motions[m], "motion " + std::to_string(m));
   }
 }
 

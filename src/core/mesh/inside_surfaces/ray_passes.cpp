@@ -25,20 +25,20 @@ broad_phase::Box Ray::box(double last) const noexcept {
   return {{lowered(middle.x), lowered(middle.y), lowered(middle.z)}, {last, -lowered(-middle.y), -lowered(-middle.z)}};
 }
 
-int passes(const Ray& ray, const std::array<Vec3, 3>& triangle) {
-  // All in twice its size, where the middle is a sum.
-  const auto sum = [](const Vec3& v, const Vec3& w) {
-    return Point{{Exact(v.x) + Exact(w.x), Exact(v.y) + Exact(w.y), Exact(v.z) + Exact(w.z)}};
-  };
-  const auto twice = [&](const Vec3& v) { return sum(v, v); };
-  const Point p = sum(ray.a, ray.b);
-  const Point corners[3] = {twice(triangle[0]), twice(triangle[1]), twice(triangle[2])};
-  const int side = side_beside(corners[0], corners[1], p);
-  if (side == 0 || side != side_beside(corners[1], corners[2], p) || side != side_beside(corners[2], corners[0], p)) {
+int passes(const Point& start, const Exact& scale, const std::array<Vec3, 3>& triangle) {
+  const auto scaled = [&scale](const Vec3& v) { return scale * exact(v); };
+  const Point corners[3] = {scaled(triangle[0]), scaled(triangle[1]), scaled(triangle[2])};
+  const int side = side_beside(corners[0], corners[1], start);
+  if (side == 0 || side != side_beside(corners[1], corners[2], start) ||
+      side != side_beside(corners[2], corners[0], start)) {
     return 0;
   }
   const Point normal = geometry::cross(corners[1] - corners[0], corners[2] - corners[0]);
-  return numbers::sign_of(geometry::dot(normal, p - corners[0])) == -side ? side : 0;  // 0: it is behind the start
+  return numbers::sign_of(geometry::dot(normal, start - corners[0])) == -side ? side : 0;  // 0: it is behind the start
+}
+
+int passes(const Ray& ray, const std::array<Vec3, 3>& triangle) {
+  return passes(exact(ray.a) + exact(ray.b), Exact(2), triangle);  // in twice its size, where the middle is a sum
 }
 
 }  // namespace touchstone::mesh

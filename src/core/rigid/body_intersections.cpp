@@ -1,0 +1,230 @@
+// Bodies at rest. The points of an edge are the places of a vertex that moves from its first corner to its second one,
+// so the solver decides whether it meets a face, exactly: in poses, corners are fractions.
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <tuple>
+#include <vector>
+
+#include <touchstone/bodies.hpp>
+#include <touchstone/solve.hpp>
+
+#include "geometry/kind_traits.hpp"
+#include "mesh/candidates.hpp"
+#include "mesh/inside_surfaces/ray_passes.hpp"
+#include "numbers/doubles/float_environment.hpp"
+#include "numbers/integers/exact_number.hpp"
+#include "rigid/body_search.hpp"
+#include "rigid/near_elements.hpp"
+#include "threads/for_each_range.hpp"
+
+namespace touchstone::rigid {
+namespace {
+
+using mesh::ExactPoint;
+using numbers::Exact;
+
+/// A pose: x = (M X) / n + p, n = |q|^2, exactly.
+struct ExactPose {
+  explicit ExactPose(const Pose& pose) : p(mesh::exact(pose.position)) {
+    const auto& q = pose.orientation;
+    const Exact w(q[0]), x(q[1]), y(q[2]), z(q[3]), two(2);
+    n = w * w + x * x + y * y + z * z;
+    m = {{{{w * w + x * x - y * y - z * z, two * (x * y - w * z), two * (x * z + w * y)}},
+          {{two * (x * y + w * z), w * w + y * y - x * x - z * z, two * (y * z - w * x)}},
+          {{two * (x * z - w * y), two * (y * z + w * x), w * w + z * z - x * x - y * y}}}};
+  }
+
+  /// n times the place of a point.
+  ExactPoint place(const Vec3& point) const {
+    const ExactPoint x = mesh::exact(point);
+    return ExactPoint{{dot(m[0], x), dot(m[1], x), dot(m[2], x)}} + n * p;
+  }
+
+  /// The point of the body at the place `at` / scale, times n * scale.
+  ExactPoint point_at(const ExactPoint& at, const Exact& scale) const {
+    const ExactPoint v = at - scale * p;
+    const auto along = [&](std::size_t k) { return m[0][k] * v[0] + m[1][k] * v[1] + m[2][k] * v[2]; };
+    return {{along(0), along(1), along(2)}};
+  }
+
+  std::array<ExactPoint, 3> m;  ///< rows
+  Exact n;
+  ExactPoint p;
+};
+
+Fraction fraction_of(const Exact& numerator, const Exact& denominator) {
+  const std::string text = numbers::quotient_to_string(numerator, denominator);
+  const std::size_t bar = text.find('/');
+  if (bar == std::string::npos) return {text, "1"};
+  return {text.substr(0, bar), text.substr(bar + 1)};
+}
+
+std::array<Fraction, 3> place_of(const ExactPose& pose, const Vec3& point) {
+  const ExactPoint at = pose.place(point);
+  return {fraction_of(at[0], pose.n), fraction_of(at[1], pose.n), fraction_of(at[2], pose.n)};
+}
+
+/// How two elements meet, if they do.
+std::optional<IntersectionSort> meeting_of(const Bodies& bodies, const std::vector<ExactPose>& poses,
+                                           const NearElements& near) {
+  const auto corners = [&](MeshElement sort, const BodyElement& of) {
+    const Body::Impl& body = bodies.bodies[of.body].impl();
+    const Index* const numbers = geometry::corners_of(sort, of.element, body.mesh.edges(), body.mesh.faces());
+    std::vector<std::array<Fraction, 3>> places;
+    for (std::size_t c = 0; c <= static_cast<std::size_t>(sort); ++c) {
+      places.push_back(place_of(poses[of.body], body.points[numbers[c]]));
+    }
+    return places;
+  };
+  const auto first = corners(near.first_sort, near.first), second = corners(near.second_sort, near.second);
+  RationalQuery query;
+  query.kind = near.second_sort == MeshElement::face   ? Kind::vertex_face
+               : near.second_sort == MeshElement::edge ? Kind::point_edge
+                                                       : Kind::point_point;
+  query.start[0] = first.front();
+  query.end[0] = first.back();
+  for (std::size_t c = 0; c < second.size(); ++c) query.start[1 + c] = query.end[1 + c] = second[c];
+  const Answer answer = solve(query);
+  if (!answer.contact) return std::nullopt;
+  if (near.first_sort != MeshElement::edge || !(answer.toi_upper > 0 && answer.toi < 1)) {
+    return IntersectionSort::touches;
+  }
+  const bool inside_second = near.second_sort == MeshElement::face
+                                 ? answer.feature_b == Feature::f && answer.nature == Nature::crossing
+                                 : answer.feature_b == Feature::e && answer.nature == Nature::isolated;
+  return inside_second ? IntersectionSort::pierces : IntersectionSort::touches;
+}
+
+/// The pieces of a body that meet another one.
+std::vector<char> meeting_pieces(const Body::Impl& body, BodyIndex number, const std::vector<BodyIntersection>& all) {
+  std::vector<char> meet(body.pieces().size(), 0);
+  const auto mark = [&](MeshElement sort, const BodyElement& of) {
+    if (of.body != number) return;
+    for (const Index piece : body.pieces().of(sort, of.element)) meet[piece] = 1;
+  };
+  for (const BodyIntersection& one : all) {
+    mark(one.first_element, one.first);
+    mark(one.second_element, one.second);
+  }
+  return meet;
+}
+
+/// The least face of the least closed surface of a body around a point, which none of the surfaces holds.
+std::optional<Index> surface_around(const Body::Impl& body, const ExactPoint& point, const Exact& scale) {
+  std::array<double, 3> at;
+  for (std::size_t k = 0; k < 3; ++k) {
+    at[k] = numbers::approximate_quotient(point[k], scale);  // within 2^-50 of it, relatively, or an underflow
+    const double room = std::fabs(at[k]) * 0x1p-49 + 0x1p-1070;
+    if (at[k] + room < body.box.low[k] || at[k] - room > body.box.high[k]) return std::nullopt;
+  }
+  const mesh::Pieces& pieces = body.pieces();
+  std::vector<int> passes(pieces.size(), 0), odd(pieces.size(), 0);
+  const auto& faces = body.mesh.faces();
+  for (Index f = 0; f < faces.size(); ++f) {
+    const Index piece = pieces.of_face(f);
+    if (!pieces[piece].is_closed()) continue;
+    const std::array<Vec3, 3> corners{body.points[faces[f][0]], body.points[faces[f][1]], body.points[faces[f][2]]};
+    Box box = broad_phase::empty_box();
+    for (const Vec3& corner : corners) broad_phase::extend(box, corner);
+    bool misses = false;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const double room = std::fabs(at[k]) * 0x1p-49 + 0x1p-1070;
+      misses = misses || at[k] - room > box.high[k] || (k > 0 && at[k] + room < box.low[k]);
+    }
+    if (misses) continue;
+    const int pass = mesh::passes(point, scale, corners);
+    passes[piece] += pass;
+    odd[piece] ^= pass & 1;
+  }
+  int winding = 0;
+  std::optional<Index> around;
+  for (Index piece = 0; piece < pieces.size(); ++piece) {
+    const bool is_around = pieces[piece].sort == mesh::PieceSort::even ? odd[piece] != 0 : passes[piece] != 0;
+    if (!is_around) continue;
+    winding += pieces[piece].sort == mesh::PieceSort::even ? 1 : passes[piece];
+    if (!around) around = pieces[piece].least;
+  }
+  return winding != 0 ? around : std::nullopt;
+}
+
+/// Adds what lies inside closed surfaces of the other body, and meets no element of it.
+void add_inside(const Bodies& bodies, const std::vector<ExactPose>& poses, BodyIndex inner, BodyIndex outer,
+                std::vector<BodyIntersection>& all) {
+  const Body::Impl &body = bodies.bodies[inner].impl(), &other = bodies.bodies[outer].impl();
+  if (other.mesh.faces().empty()) return;
+  const mesh::Pieces& pieces = body.pieces();
+  const std::vector<char> meet = meeting_pieces(body, inner, all);
+  for (Index piece = 0; piece < pieces.size(); ++piece) {
+    if (meet[piece] != 0) continue;
+    const Index vertex = pieces[piece].vertex;
+    const ExactPose &pose = poses[inner], &around = poses[outer];
+    const ExactPoint point = around.point_at(pose.place(body.points[vertex]), pose.n);
+    if (const auto face = surface_around(other, point, around.n * pose.n)) {
+      all.push_back(
+          {MeshElement::vertex, {inner, vertex}, MeshElement::face, {outer, *face}, IntersectionSort::inside});
+    }
+  }
+}
+
+}  // namespace
+
+std::vector<BodyIntersection> find_intersections(const Bodies& bodies, const CollidingBodies& colliding,
+                                                 const std::vector<Pose>& poses, const MeshOptions& options) {
+  const std::vector<RigidMotion> motions = resting(poses);
+  Bodies touching;  // separations and radii do not count
+  touching.bodies = bodies.bodies;
+  const auto near = near_bodies(touching, colliding, motions);
+  std::vector<Arc> arcs;
+  std::vector<ExactPose> exact;
+  arcs.reserve(poses.size());
+  exact.reserve(poses.size());
+  for (std::size_t b = 0; b < poses.size(); ++b) {
+    arcs.emplace_back(motions[b], 0, 0, bodies.bodies[b].impl().reach);
+    exact.emplace_back(poses[b]);
+  }
+  std::vector<BodyIntersection> all;
+  std::mutex lock;
+  threads::for_each_range(near.size(), 1, options.threads, [&](std::size_t first, std::size_t last) {
+    for (std::size_t i = first; i < last; ++i) {
+      const auto [a, b] = near[i];
+      std::vector<BodyIntersection> found;
+      const NearConsumer take = [&](const NearElements& elements) {
+        mesh::check_stop(options.stop);
+        if (const auto sort = meeting_of(bodies, exact, elements)) {
+          found.push_back({elements.first_sort, elements.first, elements.second_sort, elements.second, *sort});
+        }
+      };
+      for_each_near_at_rest({a, bodies.bodies[a].impl(), arcs[a]}, {b, bodies.bodies[b].impl(), arcs[b]}, take);
+      add_inside(bodies, exact, a, b, found);
+      add_inside(bodies, exact, b, a, found);
+      const std::lock_guard<std::mutex> guard(lock);
+      all.insert(all.end(), found.begin(), found.end());
+    }
+  });
+  std::sort(all.begin(), all.end(), [](const BodyIntersection& a, const BodyIntersection& b) {
+    return std::tie(a.first_element, a.second_element, a.first, a.second) <
+           std::tie(b.first_element, b.second_element, b.first, b.second);
+  });
+  return all;
+}
+
+}  // namespace touchstone::rigid
+
+namespace touchstone {
+inline namespace TOUCHSTONE_ABI {
+
+std::vector<BodyIntersection> intersections(const Bodies& bodies, const std::vector<Pose>& poses,
+                                            const MeshOptions& options) {
+  const numbers::DefaultFloatEnvironment environment;
+  const rigid::CollidingBodies colliding(bodies);
+  rigid::validate(bodies, rigid::resting(poses));
+  return rigid::find_intersections(bodies, colliding, poses, options);
+}
+
+}  // namespace TOUCHSTONE_ABI
+}  // namespace touchstone
