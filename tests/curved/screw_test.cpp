@@ -249,6 +249,58 @@ std::string message_of(const CurvedQuery& query, const ScrewOptions& options) {
   return "";
 }
 
+TEST_CASE("a point passes through an edge in the plane of both") {
+  // Two rectangles in the plane, one of which flies and turns: each corner against each side of the other one.
+  const auto turn = [](double angle) { return std::array<double, 4>{std::cos(angle / 2), 0, 0, std::sin(angle / 2)}; };
+  const auto rectangle = [](double x, double y, double z) {
+    return std::array<Vec3, 4>{{{-x, -y, z}, {x, -y, z}, {x, y, z}, {-x, y, z}}};
+  };
+  for (const double height : {0.0, 0.1, -30.0}) {
+    const std::array corners{rectangle(20, 4, height), rectangle(2, 2, height / 2)};
+    std::array<RigidMotion, 2> motions;
+    motions[0].q0 = motions[0].q1 = turn(2.2);
+    motions[0].p0 = motions[0].p1 = {18, -45, 0};
+    motions[1].q0 = turn(0.7);
+    motions[1].q1 = turn(1.3);
+    int contacts = 0, frees = 0;
+    for (int step = 0; step < 8; ++step) {
+      motions[1].p0 = {26.0 - step, -40, height - height / 2};
+      motions[1].p1 = {29.5 - step, -44, height - height / 2};
+      for (std::size_t one = 0; one < 2; ++one) {
+        for (std::size_t i = 0; i < 16; ++i) {
+          const auto& sides = corners[1 - one];
+          CurvedQuery query;
+          query.kind = Kind::point_edge;
+          query.motions = {motions[one], motions[1 - one], {}, {}};
+          query.corners = {CurvedCorner::on_body(0, corners[one][i / 4]), CurvedCorner::on_body(1, sides[i % 4]),
+                           CurvedCorner::on_body(1, sides[(i + 1) % 4]), CurvedCorner{}};
+          const ScrewAnswer answer = solve_screw(query);
+          CAPTURE(height, step, one, i);
+          CHECK(answer.verdict != ScrewVerdict::within_bound);
+          // The same with the sides as walls, in space.
+          query.kind = Kind::vertex_face;
+          query.corners[3] = query.corners[2];
+          query.corners[1].points[0].z -= 30;
+          query.corners[2].points[0].z -= 30;
+          query.corners[3].points[0].z += 60;
+          const ScrewAnswer wall = solve_screw(query);
+          if (answer.verdict == ScrewVerdict::contact) {
+            ++contacts;
+            CHECK(answer.contact_by - answer.free_until < 1e-3);
+          } else {
+            ++frees;
+          }
+          if (wall.verdict != ScrewVerdict::contact) continue;
+          CHECK(answer.verdict == ScrewVerdict::contact);
+          CHECK(wall.contact_by >= answer.free_until);
+        }
+      }
+    }
+    CHECK(contacts > 0);
+    CHECK(frees > 0);
+  }
+}
+
 TEST_CASE("options of a motion of constant rate that have no meaning are errors") {
   CurvedQuery query = tip_and_wall(1);
   CHECK(message_of(query, {1, {}, 3, 8}).find("arcs is 3; the number of arcs must be a power of two from 4") == 0);

@@ -14,6 +14,7 @@
 #include <touchstone/error.hpp>
 
 #include "geometry/frame.hpp"
+#include "numbers/doubles/double_double.hpp"
 #include "numbers/doubles/float_environment.hpp"
 #include "solver/cascade.hpp"
 #include "solver/screw_arcs.hpp"
@@ -98,6 +99,52 @@ bool touches_at_end(CurvedQuery query, const Separation& separation, bool last) 
   return solver::answer(query, separation, Method::fast, 0, Wanted::contact).contact;
 }
 
+/// Where a corner always is along axis z; nothing if it may leave that height. A body that turns about z keeps it.
+std::optional<numbers::DoubleDouble> height_of(const CurvedQuery& query, const CurvedCorner& corner) {
+  const double z = corner.points[0].z;
+  if (corner.motion == CurvedCorner::kOnCurve) {
+    for (int i = 1; i < corner.control_points; ++i) {
+      if (corner.points[static_cast<std::size_t>(i)].z != z) return std::nullopt;
+    }
+    return numbers::DoubleDouble{z, 0};
+  }
+  const RigidMotion& motion = query.motions[static_cast<std::size_t>(corner.motion)];
+  if (motion.q0[1] != 0 || motion.q0[2] != 0 || motion.q1[1] != 0 || motion.q1[2] != 0) return std::nullopt;
+  if (motion.p0.z != motion.p1.z) return std::nullopt;
+  return numbers::two_sum(z, motion.p0.z);
+}
+
+/// A point and an edge that stay in one plane z = c, as two edges: the point's has it in its interior, and is along z.
+/// So both touch at the same times, and these edges pass through each other where the point passes through the edge.
+std::optional<CurvedQuery> drawn_out(const CurvedQuery& query) {
+  if (query.kind != Kind::point_edge) return std::nullopt;
+  const auto height = height_of(query, query.corners[0]);
+  if (!height) return std::nullopt;
+  double size = 0;
+  for (std::size_t c = 0; c < 3; ++c) {
+    const CurvedCorner& corner = query.corners[c];
+    const auto other = height_of(query, corner);
+    if (!other || other->high != height->high || other->low != height->low) return std::nullopt;
+    const bool on_curve = corner.motion == CurvedCorner::kOnCurve;
+    for (int i = 0; i < (on_curve ? corner.control_points : 1); ++i) {
+      const Vec3& x = corner.points[static_cast<std::size_t>(i)];
+      size = std::max({size, std::fabs(x.x), std::fabs(x.y), std::fabs(x.z)});
+    }
+  }
+  const double half = size * 0x1p-10;  // little beside the corner's distance from the axis of the turn
+  CurvedQuery edges = query;
+  edges.kind = Kind::edge_edge;
+  edges.corners = {query.corners[0], query.corners[0], query.corners[1], query.corners[2]};
+  for (std::size_t i = 0; i < query.corners[0].points.size(); ++i) {
+    const double z = query.corners[0].points[i].z;
+    edges.corners[0].points[i].z = z - half;
+    edges.corners[1].points[i].z = z + half;
+  }
+  const double z = query.corners[0].points[0].z;
+  return z - half < z && z < z + half && std::isfinite(z + half) && std::isfinite(z - half) ? std::optional(edges)
+                                                                                            : std::nullopt;
+}
+
 /// The verdict by so many arcs, when the elements have no contact at t = 0.
 ScrewAnswer decide(const CurvedQuery& query, const ScrewOptions& options, int count) {
   const ScrewArcs arcs(query, count);
@@ -165,8 +212,9 @@ ScrewAnswer solve_screw(const CurvedQuery& query, const ScrewOptions& options) {
     answer.verdict = ScrewVerdict::contact;
     return answer;
   }
+  const auto edges = options.separation.distance == 0 ? drawn_out(query) : std::nullopt;
   for (int count = options.arcs;; count *= 2) {
-    const ScrewAnswer answer = decide(query, options, count);
+    const ScrewAnswer answer = decide(edges ? *edges : query, options, count);
     if (answer.verdict != ScrewVerdict::within_bound || count >= options.most_arcs) return answer;
   }
 }
