@@ -13,6 +13,7 @@
 #include <touchstone/answer.hpp>
 #include <touchstone/curved_query.hpp>
 #include <touchstone/mesh.hpp>
+#include <touchstone/screw.hpp>
 #include <touchstone/separation.hpp>
 
 namespace touchstone {
@@ -235,6 +236,45 @@ struct FreeBodyStep {
 /// @throws InvalidQuery  as first_contact
 FreeBodyStep free_step(const Bodies& bodies, const std::vector<RigidMotion>& motions,
                        const BodyStepOptions& options = {});
+
+/// The options of solve_screw for bodies.
+struct BodyScrewOptions : BodyStepOptions {
+  int arcs = 8;         ///< as in ScrewOptions
+  int most_arcs = 256;  ///< as in ScrewOptions
+};
+
+/// Two elements that meet on screws, or may meet.
+struct BodyScrewContact {
+  BodyPair pair;       ///< the elements
+  ScrewAnswer answer;  ///< that of `solve_screw` for query_of(bodies, pair, motions), with its separation
+};
+
+/// Whether bodies that turn at constant rates come into contact. Whatever the verdict is, they certainly have no contact
+/// before `free_until`, but for the start, if that was not asked about.
+struct BodyScrewAnswer {
+  ScrewVerdict verdict = ScrewVerdict::free;  ///< `contact` where a pair certainly meets
+  double free_until = 0;                      ///< no contact is at a time less than this; t_max for `free`
+  double contact_by = 0;  ///< for `contact`: there is a contact at this time or before it; t_max otherwise
+
+  /// Every pair without the verdict `free` that may meet by `contact_by`, in the order of its `free_until`.
+  std::vector<BodyScrewContact> pairs;
+
+  bool start_checked = false;                         ///< as in FirstBodyContact
+  std::vector<BodyIntersection> start_intersections;  ///< as in FirstBodyContact
+  std::size_t excluded = 0;                           ///< as in FirstBodyContact
+
+  /// Whether there is certainly no contact, and no intersection at the start, if that was asked about.
+  bool free() const noexcept { return verdict == ScrewVerdict::free && start_intersections.empty(); }
+};
+
+/// The same for bodies that turn at constant rates, as slerp and screw motions do: the motions are read as
+/// touchstone/screw.hpp says. The verdict of each pair is that of `solve_screw`.
+/// @param bodies   the bodies
+/// @param motions  one for each body
+/// @param options  how the question is answered
+/// @throws InvalidQuery  as first_contact, and for a number of arcs that is not a power of two in range
+BodyScrewAnswer solve_screw(const Bodies& bodies, const std::vector<RigidMotion>& motions,
+                            const BodyScrewOptions& options = {});
 
 /// The query of a pair: its first element has the query's motion 0, the second one motion 1.
 /// @throws InvalidQuery  for another number of motions than of bodies

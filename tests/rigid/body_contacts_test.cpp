@@ -73,7 +73,7 @@ BruteForce brute_force(const RandomBodies& scene, double t_max) {
 
 TEST_CASE("contacts of bodies are those of all pairs of their elements") {
   seeded::Rng random(4101);
-  const std::size_t scenes = effort(150);
+  const std::size_t scenes = effort(100);
   std::size_t contacts = 0, starts = 0, misses = 0, several = 0;
   for (std::size_t i = 0; i < scenes; ++i) {
     const RandomBodies scene = random_bodies(random);

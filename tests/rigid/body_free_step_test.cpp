@@ -11,7 +11,7 @@ using namespace touchstone::tests;
 
 TEST_CASE("the motion to the poses of a free step is free, pair by pair") {
   seeded::Rng random(4102);
-  const std::size_t scenes = effort(100);
+  const std::size_t scenes = effort(40);
   int shortened = 0, whole = 0, stopped = 0;
   for (std::size_t i = 0; i < scenes; ++i) {
     const RandomBodies scene = random_bodies(random);

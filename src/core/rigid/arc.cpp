@@ -111,7 +111,7 @@ double reach_of(const broad_phase::Box& box) noexcept {
 // 3 products and 2 sums of entries and coordinates are off by less than 51 e r together; the position adds
 // e (r + P), where P is the largest coordinate, and 4 e P where it is interpolated, along each axis. All of it is below
 // 2 wrong_by r + 2^-45 (r + P). Products that underflow are off by 2^-1074 each.
-Arc::Arc(const RigidMotion& motion, double from, double to, double reach) noexcept {
+Arc::Arc(const RigidMotion& motion, double from, double to, double reach, double off) noexcept {
   const auto [q0, q1] = scaled(motion.q0, motion.q1);
   std::array<Orientation, 2> at{};
   if (orientation_at(q0, q1, from, at[0]) && orientation_at(q0, q1, to, at[1])) {
@@ -130,7 +130,7 @@ Arc::Arc(const RigidMotion& motion, double from, double to, double reach) noexce
   position_ = {between(motion.p0.x, motion.p1.x), between(motion.p0.y, motion.p1.y), between(motion.p0.z, motion.p1.z)};
   const double far = std::max(largest_of(motion.p0), largest_of(motion.p1));
   rounding_ = kPositioning * far + 0x1p-1060;
-  error_ = reach + far < kMostLength ? rounding_ : kInfinity;
+  error_ = reach + far < kMostLength ? (rounding_ + off) * kWidened : kInfinity;
 }
 
 Arc::Ends Arc::ends_of(const Vec3& point) const noexcept {

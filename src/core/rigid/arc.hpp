@@ -21,7 +21,8 @@ class Arc {
   /// @param motion  valid
   /// @param from    0 <= from <= to <= 1, multiples of 2^-20
   /// @param reach   no point of the body is farther from its origin
-  Arc(const RigidMotion& motion, double from, double to, double reach) noexcept;
+  /// @param off     no point of the body is farther than this from where the motion has it
+  Arc(const RigidMotion& motion, double from, double to, double reach, double off = 0) noexcept;
 
   /// A point of the body at both ends, rounded.
   struct Ends {

@@ -28,12 +28,11 @@
 namespace touchstone::rigid {
 namespace {
 
-using BodyPairs = std::vector<std::array<BodyIndex, 2>>;
-
 /// Arcs leave straight motion by no more than this part of a body's width.
 constexpr double kLittle = 1.0 / 64;
 
-int arcs_for_all(const Bodies& bodies, const std::vector<RigidMotion>& motions, const BodyPairs& near) {
+/// Into how many pieces a step is cut.
+int pieces_for(const Bodies& bodies, const std::vector<RigidMotion>& motions, const BodyPairs& near) {
   std::vector<char> asked(motions.size(), 0);
   for (const auto& [a, b] : near) asked[a] = asked[b] = 1;
   int count = 1;
@@ -42,7 +41,7 @@ int arcs_for_all(const Bodies& bodies, const std::vector<RigidMotion>& motions, 
     const Body::Impl& body = bodies.bodies[b].impl();
     double width = 0;
     for (std::size_t k = 0; k < 3; ++k) width = std::max(width, body.box.high[k] - body.box.low[k]);
-    count = std::max(count, rigid::arcs_for(motions[b], body.reach, kLittle * width));
+    count = std::max(count, arcs_for(motions[b], body.reach, kLittle * width));
   }
   return count;
 }
@@ -55,65 +54,18 @@ BodyPair pair_of(const NearElements& near) noexcept {
   return {kind, near.first, near.second};
 }
 
-/// The pairs that come near each other in pieces of a step, each of them once.
-class Candidates {
- public:
-  Candidates(const Bodies& bodies, const std::vector<RigidMotion>& motions, const BodyPairs& near,
-             const MeshOptions& options)
-      : bodies_(bodies), motions_(motions), near_(near), options_(options), count_(arcs_for_all(bodies, motions, near)) {}
-
-  int count() const noexcept { return count_; }
-  double end_of(int piece) const noexcept { return static_cast<double>(piece + 1) / count_; }
-
-  /// Those of a piece that were in none before it, in ascending order.
-  std::vector<BodyPair> of(int piece) {
-    std::vector<Arc> arcs;
-    arcs.reserve(motions_.size());
-    for (std::size_t b = 0; b < motions_.size(); ++b) {
-      arcs.emplace_back(motions_[b], static_cast<double>(piece) / count_, end_of(piece),
-                        bodies_.bodies[b].impl().reach);
-    }
-    std::vector<BodyPair> found;
-    std::mutex lock;
-    threads::for_each_range(near_.size(), 1, options_.threads, [&](std::size_t first, std::size_t last) {
-      std::vector<BodyPair> some;
-      const NearConsumer take = [&some](const NearElements& near) { some.push_back(pair_of(near)); };
-      for (std::size_t i = first; i < last; ++i) {
-        mesh::check_stop(options_.stop);
-        const auto [a, b] = near_[i];
-        for_each_near_in_motion(bodies_, {a, bodies_.bodies[a].impl(), arcs[a]}, {b, bodies_.bodies[b].impl(), arcs[b]},
-                                take);
-      }
-      const std::lock_guard<std::mutex> guard(lock);
-      found.insert(found.end(), some.begin(), some.end());
-    });
-    std::sort(found.begin(), found.end());
-    std::vector<BodyPair> fresh, all;
-    std::set_difference(found.begin(), found.end(), known_.begin(), known_.end(), std::back_inserter(fresh));
-    std::set_union(known_.begin(), known_.end(), fresh.begin(), fresh.end(), std::back_inserter(all));
-    known_ = std::move(all);
-    return fresh;
-  }
-
- private:
-  const Bodies& bodies_;
-  const std::vector<RigidMotion>& motions_;
-  const BodyPairs& near_;
-  const MeshOptions& options_;
-  int count_;
-  std::vector<BodyPair> known_;  // ascending
-};
-
 /// Asks about all pairs that may be in contact by a time that may fall meanwhile.
 /// @param tell  tell(pair, distance, answer) for those in contact. Several threads may call it at the same time
 template <class Tell>
 void for_each_contact(const Bodies& bodies, const CollidingBodies& colliding, const std::vector<RigidMotion>& motions,
                       const MeshOptions& options, const std::atomic<double>& until, Wanted wanted, const Tell& tell) {
-  const BodyPairs near = near_bodies(bodies, colliding, motions);
-  Candidates candidates(bodies, motions, near, options);
-  for (int piece = 0; piece < candidates.count(); ++piece) {
-    if (piece > 0 && candidates.end_of(piece - 1) >= until) return;
-    const std::vector<BodyPair> pairs = candidates.of(piece);
+  const BodyPairs near = near_bodies(bodies, colliding, arcs_of(bodies, motions, 0, 1));
+  const int pieces = pieces_for(bodies, motions, near);
+  Candidates candidates(bodies, near, options);
+  for (int piece = 0; piece < pieces; ++piece) {
+    const double from = static_cast<double>(piece) / pieces, to = static_cast<double>(piece + 1) / pieces;
+    if (piece > 0 && from >= until) return;
+    const std::vector<BodyPair> pairs = candidates.on(arcs_of(bodies, motions, from, to));
     threads::for_each_range(
         pairs.size(), mesh::kContactsAtATime, options.threads, [&](std::size_t first, std::size_t last) {
           for (std::size_t i = first; i < last; ++i) {
@@ -146,30 +98,60 @@ std::vector<BodyContact> with_answers(const Bodies& bodies, const std::vector<Ri
 
 }  // namespace
 
-std::vector<std::array<BodyIndex, 2>> near_bodies(const Bodies& bodies, const CollidingBodies& colliding,
-                                                  const std::vector<RigidMotion>& motions) {
+std::vector<Arc> arcs_of(const Bodies& bodies, const std::vector<RigidMotion>& motions, double from, double to) {
+  std::vector<Arc> arcs;
+  arcs.reserve(motions.size());
+  for (std::size_t b = 0; b < motions.size(); ++b) {
+    arcs.emplace_back(motions[b], from, to, bodies.bodies[b].impl().reach);
+  }
+  return arcs;
+}
+
+BodyPairs near_bodies(const Bodies& bodies, const CollidingBodies& colliding, const std::vector<Arc>& whole) {
   std::vector<BoundsByAxis> boxes;
-  boxes.reserve(motions.size());
   std::vector<BodyIndex> numbers;
-  for (BodyIndex b = 0; b < motions.size(); ++b) {
+  for (BodyIndex b = 0; b < whole.size(); ++b) {
     const Body::Impl& body = bodies.bodies[b].impl();
     if (body.tree.empty()) continue;
     const double margin = mesh::with_room(bodies.separation.distance / 2 + body.radius);
-    boxes.push_back(Arc(motions[b], 0, 1, body.reach).around(body.box, body.reach, margin));
+    boxes.push_back(whole[b].around(body.box, body.reach, margin));
     numbers.push_back(b);
   }
-  std::vector<std::array<BodyIndex, 2>> near;
+  BodyPairs near;
   broad_phase::for_each_pair_block<BoundsByAxis>(
       boxes.size(), [&](std::uint32_t n) { return boxes[n]; }, {},
       [&](const broad_phase::Pair* pairs, std::size_t count) {
         for (std::size_t i = 0; i < count; ++i) {
-          const BodyIndex a = numbers[std::min(pairs[i][0], pairs[i][1])],
-                          b = numbers[std::max(pairs[i][0], pairs[i][1])];
+          const auto [first, second] = std::minmax(pairs[i][0], pairs[i][1]);
+          const BodyIndex a = numbers[first], b = numbers[second];
           if (colliding.may_collide(a, b)) near.push_back({a, b});
         }
       });
   std::sort(near.begin(), near.end());
   return near;
+}
+
+std::vector<BodyPair> Candidates::on(const std::vector<Arc>& arcs) {
+  std::vector<BodyPair> found;
+  std::mutex lock;
+  threads::for_each_range(near_.size(), 1, options_.threads, [&](std::size_t first, std::size_t last) {
+    std::vector<BodyPair> some;
+    const NearConsumer take = [&some](const NearElements& near) { some.push_back(pair_of(near)); };
+    for (std::size_t i = first; i < last; ++i) {
+      mesh::check_stop(options_.stop);
+      const auto [a, b] = near_[i];
+      for_each_near_in_motion(bodies_, {a, bodies_.bodies[a].impl(), arcs[a]}, {b, bodies_.bodies[b].impl(), arcs[b]},
+                              take);
+    }
+    const std::lock_guard<std::mutex> guard(lock);
+    found.insert(found.end(), some.begin(), some.end());
+  });
+  std::sort(found.begin(), found.end());
+  std::vector<BodyPair> fresh, all;
+  std::set_difference(found.begin(), found.end(), known_.begin(), known_.end(), std::back_inserter(fresh));
+  std::set_union(known_.begin(), known_.end(), fresh.begin(), fresh.end(), std::back_inserter(all));
+  known_ = std::move(all);
+  return fresh;
 }
 
 std::vector<Pose> starts_of(const std::vector<RigidMotion>& motions) {
@@ -252,11 +234,13 @@ std::vector<BodyPair> candidates(const Bodies& bodies, const std::vector<RigidMo
   const numbers::DefaultFloatEnvironment environment;
   const rigid::CollidingBodies colliding(bodies);
   rigid::validate(bodies, motions);
-  const auto near = rigid::near_bodies(bodies, colliding, motions);
-  rigid::Candidates candidates(bodies, motions, near, options);
+  const auto near = rigid::near_bodies(bodies, colliding, rigid::arcs_of(bodies, motions, 0, 1));
+  const int pieces = rigid::pieces_for(bodies, motions, near);
+  rigid::Candidates candidates(bodies, near, options);
   std::vector<BodyPair> all;
-  for (int piece = 0; piece < candidates.count(); ++piece) {
-    const std::vector<BodyPair> some = candidates.of(piece);
+  for (int piece = 0; piece < pieces; ++piece) {
+    const double from = static_cast<double>(piece) / pieces, to = static_cast<double>(piece + 1) / pieces;
+    const std::vector<BodyPair> some = candidates.on(rigid::arcs_of(bodies, motions, from, to));
     all.insert(all.end(), some.begin(), some.end());
   }
   std::sort(all.begin(), all.end());

@@ -178,15 +178,10 @@ std::vector<BodyIntersection> find_intersections(const Bodies& bodies, const Col
   const std::vector<RigidMotion> motions = resting(poses);
   Bodies touching;  // separations and radii do not count
   touching.bodies = bodies.bodies;
-  const auto near = near_bodies(touching, colliding, motions);
-  std::vector<Arc> arcs;
+  const std::vector<Arc> arcs = arcs_of(bodies, motions, 0, 0);
+  const BodyPairs near = near_bodies(touching, colliding, arcs);
   std::vector<ExactPose> exact;
-  arcs.reserve(poses.size());
-  exact.reserve(poses.size());
-  for (std::size_t b = 0; b < poses.size(); ++b) {
-    arcs.emplace_back(motions[b], 0, 0, bodies.bodies[b].impl().reach);
-    exact.emplace_back(poses[b]);
-  }
+  for (const Pose& pose : poses) exact.emplace_back(pose);
   std::vector<BodyIntersection> all;
   std::mutex lock;
   threads::for_each_range(near.size(), 1, options.threads, [&](std::size_t first, std::size_t last) {

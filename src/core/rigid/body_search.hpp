@@ -3,18 +3,41 @@
 #pragma once
 
 #include <array>
+#include <utility>
 #include <vector>
 
 #include <touchstone/bodies.hpp>
 
+#include "rigid/arc.hpp"
 #include "rigid/body_data.hpp"
 
 namespace touchstone::rigid {
 
+using BodyPairs = std::vector<std::array<BodyIndex, 2>>;
+
 /// The pairs of bodies whose elements may come near each other in a step, in ascending order.
-/// @param motions  valid
-std::vector<std::array<BodyIndex, 2>> near_bodies(const Bodies& bodies, const CollidingBodies& colliding,
-                                                  const std::vector<RigidMotion>& motions);
+/// @param whole  by body: its motion over the whole step
+BodyPairs near_bodies(const Bodies& bodies, const CollidingBodies& colliding, const std::vector<Arc>& whole);
+
+/// The arcs of all bodies from one time to another one. @param motions  valid
+std::vector<Arc> arcs_of(const Bodies& bodies, const std::vector<RigidMotion>& motions, double from, double to);
+
+/// The pairs of elements that come near each other in pieces of a step, each of them once.
+class Candidates {
+ public:
+  Candidates(const Bodies& bodies, BodyPairs near, const MeshOptions& options)
+      : bodies_(bodies), near_(std::move(near)), options_(options) {}
+
+  /// Those of a piece that were in none before it, in ascending order.
+  /// @param arcs  by body: its motion in the piece
+  std::vector<BodyPair> on(const std::vector<Arc>& arcs);
+
+ private:
+  const Bodies& bodies_;
+  BodyPairs near_;
+  const MeshOptions& options_;
+  std::vector<BodyPair> known_;  // ascending
+};
 
 /// Every pair of elements in contact in the step, in the order of all_contacts.
 std::vector<BodyContact> find_all(const Bodies& bodies, const CollidingBodies& colliding,

@@ -28,16 +28,6 @@ using solver::Interval;
 using solver::ScrewArcs;
 using Position = geometry::Vector<Interval>;
 
-constexpr int kFewestArcs = 4;  // so that an arc's quaternions are less than 1 apart
-constexpr int kMostArcs = 1 << 20;
-
-void validate_arcs(int arcs, const char* name) {
-  if (arcs >= kFewestArcs && arcs <= kMostArcs && (arcs & (arcs - 1)) == 0) return;
-  throw InvalidQuery(std::string(name) + " is " + std::to_string(arcs) +
-                     "; the number of arcs must be a power of two from " + std::to_string(kFewestArcs) + " to " +
-                     std::to_string(kMostArcs));
-}
-
 geometry::Frame<Position> frame_between(const CurvedQuery& query, const ScrewArcs& arcs, double from, double to) {
   std::array<Position, 4> x;
   for (std::size_t c = 0; c < 4; ++c) x[c] = arcs.position(c, from, to);
@@ -205,8 +195,7 @@ ScrewAnswer solve_screw(const CurvedQuery& query, const ScrewOptions& options) {
   const numbers::DefaultFloatEnvironment environment;
   solver::validate(options.separation);
   solver::validate(query, options.t_max);
-  validate_arcs(options.arcs, "arcs");
-  validate_arcs(options.most_arcs, "most_arcs");
+  solver::validate_arcs(options.arcs, options.most_arcs);
   if (touches_at_end(query, options.separation, false)) {
     ScrewAnswer answer;
     answer.verdict = ScrewVerdict::contact;

@@ -64,6 +64,9 @@ void validate(const Query& query, double t_max);
 /// @throws InvalidQuery  naming the kind, t_max or the first coordinate that is not a fraction
 void validate(const RationalQuery& query, double t_max);
 
+/// @throws InvalidQuery  naming the number of arcs that is not a power of two in the range of ScrewOptions
+void validate_arcs(int arcs, int most_arcs);
+
 /// @param name  what the message calls it
 /// @throws InvalidQuery  for a number that is not finite, or a quaternion that is zero at an end or between them
 void validate(const RigidMotion& motion, const std::string& name);

@@ -85,7 +85,22 @@ bool certainly_valid(const CurvedQuery& query, double t_max) noexcept {
   return zero == 0;
 }
 
+constexpr int kFewestArcs = 4;  // so that an arc's quaternions are less than 1 apart
+constexpr int kMostArcs = 1 << 20;
+
+void validate_arcs(int arcs, const char* name) {
+  if (arcs >= kFewestArcs && arcs <= kMostArcs && (arcs & (arcs - 1)) == 0) return;
+  throw InvalidQuery(std::string(name) + " is " + std::to_string(arcs) +
+                     "; the number of arcs must be a power of two from " + std::to_string(kFewestArcs) + " to " +
+                     std::to_string(kMostArcs));
+}
+
 }  // namespace
+
+void validate_arcs(int arcs, int most_arcs) {
+  validate_arcs(arcs, "arcs");
+  validate_arcs(most_arcs, "most_arcs");
+}
 
 void validate(const RigidMotion& motion, const std::string& name) {
   validate_orientation(motion.q0, name + ": the quaternion q0");
