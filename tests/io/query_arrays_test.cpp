@@ -104,20 +104,18 @@ std::string npy(const std::string& type, bool fortran, const std::string& shape,
   return std::string("\x93NUMPY\x01\x00", 8) + little_endian(text.size(), 2) + text + values;
 }
 
-/// An array of the numbers 0, 1, 2, ... in the order (query, time, corner, axis), laid out as told.
+/// An array of the numbers 0, 1, 2, ... in C's order, laid out as told.
 template <class Number>
-std::string counting_npy(std::size_t queries, std::size_t corners, std::size_t dimension, bool fortran,
-                         std::endian order) {
-  const std::array<std::size_t, 4> extents = {queries, 2, corners, dimension};
-  const std::size_t count = queries * 2 * corners * dimension;
+std::string counting_npy(const std::vector<std::size_t>& extents, bool fortran, std::endian order) {
+  std::size_t count = 1;
+  for (const std::size_t extent : extents) count *= extent;
   std::vector<std::string> values(count);
   for (std::size_t i = 0; i < count; ++i) {
     std::size_t to = i;
     if (fortran) {
-      std::array<std::size_t, 4> index{};
-      std::size_t rest = i;
-      for (std::size_t k = 4; k-- > 0; rest /= extents[k]) index[k] = rest % extents[k];
-      to = index[0] + extents[0] * (index[1] + extents[1] * (index[2] + extents[2] * index[3]));
+      to = 0;
+      std::size_t rest = i, step = count;
+      for (std::size_t k = extents.size(); k-- > 0; rest /= extents[k]) to += rest % extents[k] * (step /= extents[k]);
     }
     values[to] = bytes_of(static_cast<Number>(i), order);
   }
@@ -204,19 +202,23 @@ TEST_CASE("arrays are read in each order, type and dimension") {
           for (const Kind kind : kKinds) {
             CAPTURE(fortran, order == std::endian::big, single, dimension, name_of(kind));
             const std::size_t corners = corner_count(kind);
-            const ReadFile file = read_queries(single ? counting_npy<float>(5, corners, dimension, fortran, order)
-                                                      : counting_npy<double>(5, corners, dimension, fortran, order),
-                                               kind, 1);
-            REQUIRE(file.error == "");
-            REQUIRE(file.queries.size() == 5);
-            double next = 0;
-            for (const ReadQuery& read : file.queries) {
-              const Query& query = std::get<Query>(read.query);
-              for (const auto& times : {query.start, query.end}) {
-                for (std::size_t i = 0; i < corners; ++i) {
-                  REQUIRE(times[i].x == next++);
-                  REQUIRE(times[i].y == next++);
-                  REQUIRE(times[i].z == (dimension == 3 ? next++ : 0));
+            std::vector<std::vector<std::size_t>> shapes = {{5, 2, corners, dimension}, {5, 2 * corners, dimension}};
+            if (dimension == 3) shapes.push_back({5, 6 * corners});
+            for (const auto& shape : shapes) {
+              const ReadFile file = read_queries(
+                  single ? counting_npy<float>(shape, fortran, order) : counting_npy<double>(shape, fortran, order),
+                  kind, 1);
+              REQUIRE(file.error == "");
+              REQUIRE(file.queries.size() == 5);
+              double next = 0;
+              for (const ReadQuery& read : file.queries) {
+                const Query& query = std::get<Query>(read.query);
+                for (const auto& times : {query.start, query.end}) {
+                  for (std::size_t i = 0; i < corners; ++i) {
+                    REQUIRE(times[i].x == next++);
+                    REQUIRE(times[i].y == next++);
+                    REQUIRE(times[i].z == (dimension == 3 ? next++ : 0));
+                  }
                 }
               }
             }
@@ -297,7 +299,8 @@ TEST_CASE("arrays of other shapes and types are refused") {
   CHECK(error_of(npy("<i8", false, "(1, 2, 3, 3)", three), Kind::point_edge) ==
         "q.csv: holds integers; coordinates have the type float64 or float32");
   CHECK(error_of(npy("<f8", false, "(0, 2, 3, 3)", ""), Kind::point_edge) == "q.csv: holds no query");
-  for (const std::string shape : {"(2, 3, 3)", "(1, 1, 6, 3)", "(1, 2, 9, 1)", "(1, 2, 1, 9)", "(18,)"}) {
+  for (const std::string shape :
+       {"(2, 3, 3)", "(1, 1, 6, 3)", "(1, 2, 9, 1)", "(1, 2, 1, 9)", "(18,)", "(2, 9)", "(1, 3, 6)", "(1, 18, 1)"}) {
     const std::string error = error_of(npy("<f8", false, shape, three), Kind::point_edge);
     CAPTURE(shape, error);
     CHECK(error.find("an array of shape " + shape + "; queries have the shape (n, 2, corners, 3)") !=
@@ -344,11 +347,11 @@ TEST_CASE("the kind of a file's queries is the one that it states") {
   CHECK(io::kind_of_queries(binary, std::nullopt) == Kind::point_edge);
   CHECK(io::kind_of_queries(binary, Kind::point_edge) == Kind::point_edge);
   CHECK_THROWS_AS(io::kind_of_queries(binary, Kind::edge_edge), FileError);
-  const std::string four = counting_npy<double>(1, 4, 3, false, std::endian::little);
+  const std::string four = counting_npy<double>({1, 2, 4, 3}, false, std::endian::little);
   CHECK(io::kind_of_queries(folder.write("vertex-face/a.npy", four), std::nullopt) == Kind::vertex_face);
   CHECK_THROWS_AS(io::kind_of_queries(folder.write("a.npy", four), std::nullopt), FileError);
   CHECK(io::kind_of_queries(folder.path("a.npy"), Kind::edge_edge) == Kind::edge_edge);
-  const std::string two = counting_npy<double>(1, 2, 3, false, std::endian::little);
+  const std::string two = counting_npy<double>({1, 2, 2, 3}, false, std::endian::little);
   CHECK(io::kind_of_queries(folder.write("edge-edge/b.npy", two), std::nullopt) == Kind::point_point);
   CHECK(io::kind_of_queries(folder.write("edge-edge/c.csv", "anything"), std::nullopt) == Kind::edge_edge);
   CHECK(io::kind_of_queries(folder.write("edge-edge/d.csv", ""), std::nullopt) == Kind::edge_edge);

@@ -153,34 +153,44 @@ void QueryArray::read_npy_shape(const InputFile& file) {
   const NpyHeader header = read_npy_header(memory, bytes_.view().size(), kExampleShape);
   if (header.kind != 'f') fail(file.name(), "holds integers; coordinates have the type float64 or float32");
   const std::vector<std::uint64_t>& extents = header.extents;
-  const bool fits = extents.size() == 4 && extents[1] == 2 && extents[2] >= 2 && extents[2] <= 4 &&
-                    (extents[3] == 2 || extents[3] == 3);
-  if (!fits) {
+  if (!take_shape(extents)) {
     fail(file.name(), "an array of shape " + shape_text(extents) +
                           "; queries have the shape (n, 2, corners, 3): n queries, t = 0 and t = 1, 4 corners for "
                           "edge-edge and vertex-face, 3 for point-edge, 2 for point-point, and x, y, z; or 2 in place "
-                          "of 3 in the plane");
+                          "of 3 in the plane. In the same order, they may also be rows of 24, 18 or 12 coordinates, "
+                          "(n, 24), or corners, (n, 8, 3). An array has no claims");
   }
-  count_ = extents[0];
-  corners_ = extents[2];
-  dimension_ = extents[3];
   if (corners_ == 3) kind_ = Kind::point_edge;
   if (corners_ == 2) kind_ = Kind::point_point;
   value_size_ = header.size;
   order_ = header.order;
   values_ = bytes_.view().data() + header.header_size;
-  const std::array<std::size_t, 4> sizes = {count_, 2, corners_, dimension_};
-  std::array<std::size_t, 4> steps{};
+  std::vector<std::size_t> steps(extents.size());
   std::size_t step = value_size_;
-  for (std::size_t i = 0; i < 4; ++i) {
-    const std::size_t k = header.fortran ? i : 3 - i;
+  for (std::size_t i = 0; i < extents.size(); ++i) {
+    const std::size_t k = header.fortran ? i : extents.size() - 1 - i;
     steps[k] = step;
-    step *= sizes[k];
+    step *= extents[k];
   }
-  query_step_ = steps[0];
-  time_step_ = steps[1];
-  corner_step_ = steps[2];
-  axis_step_ = steps[3];
+  query_step_ = steps.front();
+  axis_step_ = steps.back();
+  corner_step_ = extents.size() == 2 ? dimension_ * axis_step_ : steps[steps.size() - 2];
+  time_step_ = extents.size() == 4 ? steps[1] : corners_ * corner_step_;
+}
+
+/// @returns false for what is no shape of queries
+bool QueryArray::take_shape(const std::vector<std::uint64_t>& extents) {
+  if (extents.size() < 2 || extents.size() > 4) return false;
+  dimension_ = extents.size() == 2 ? 3 : extents.back();
+  std::uint64_t values = 1;  // of a query
+  for (std::size_t i = 1; i < extents.size(); ++i) {
+    if (extents[i] == 0 || extents[i] > 24) return false;
+    values *= extents[i];
+  }
+  count_ = extents[0];
+  corners_ = values / (2 * dimension_);
+  return (dimension_ == 2 || dimension_ == 3) && corners_ >= 2 && corners_ <= 4 &&
+         values == 2 * corners_ * dimension_ && (extents.size() < 4 || extents[1] == 2);
 }
 
 std::string QueryArray::fault_of_kind(Kind kind) const {

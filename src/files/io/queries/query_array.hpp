@@ -9,6 +9,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include <touchstone/query.hpp>
 #include <touchstone/separation.hpp>
@@ -67,6 +68,7 @@ class QueryArray {
  private:
   void read_binary_header(const InputFile& file);
   void read_npy_shape(const InputFile& file);
+  bool take_shape(const std::vector<std::uint64_t>& extents);
 
   FileBytes bytes_;
   std::optional<Kind> kind_;
