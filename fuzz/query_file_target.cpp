@@ -122,7 +122,7 @@ void fuzz_query_file(Bytes input) {
   if (whole.records.empty()) return;
 
   std::string written;
-  if (io::holds_curved_queries(text)) written = std::string(io::kCurvedHeader) + "\n";
+  if (std::holds_alternative<CurvedQuery>(whole.records.front().query)) written = std::string(io::kCurvedHeader) + "\n";
   for (const Record& record : whole.records) {
     std::visit([&](const auto& query) { io::append_query(written, query, record.truth.value_or(false)); },
                record.query);

@@ -162,6 +162,15 @@ TEST_CASE("queries of decimals are solved, and what a proof is about is fraction
   const std::string named = folder.write("edge-edge/named.csv", "x_num,x_den,y_num,y_den,z_num,z_den\n1,1,1,1,1,1\n");
   CHECK(occurrences(run_program({"prove", "--out", folder.path("p.txt"), named}).err,
                     ":1: names columns, which touchstone-check does not read; take the line away") == 1);
+  const std::string ones = "1,1,1,1,1,1", point = "point-point/";
+  const auto proved = [&](const std::string& name, const std::string& line) {
+    return run_program({"prove", "--out", folder.path("p.txt"), folder.write(point + name, line + line + line + line)});
+  };
+  CHECK(occurrences(proved("semicolons.csv", "1;1;1;1;1;1\n").err, ": has quotes, or separators that are no commas") ==
+        1);
+  CHECK(occurrences(proved("words.csv", ones + ",True\n").err,
+                    "words.csv:1: a truth is no plain 0 or 1, which alone") == 1);
+  CHECK(proved("plain.csv", ones + ", 1\r\n").status == 0);
   const std::string fractions = folder.path("edge-edge/fractions.csv");
   REQUIRE(run_program({"convert", whole, fractions}).status == 0);
   CHECK(run_program({"prove", "--out", folder.path("p.txt"), fractions}).status == 0);

@@ -48,6 +48,11 @@ void refuse_decimals(const io::QueryChunk& chunk) {
   if (chunk.names_row != 0) {
     io::fail(*chunk.file, chunk.names_row, "names columns, which touchstone-check does not read; take the line away");
   }
+  if (chunk.rewritten) {
+    io::fail(*chunk.file,
+             "has quotes, or separators that are no commas, which touchstone-check does not read; touchstone convert "
+             "writes commas alone");
+  }
 }
 
 std::vector<Input> find_inputs(const std::vector<std::string>& names, std::optional<Kind> kind, io::Decimals decimals) {

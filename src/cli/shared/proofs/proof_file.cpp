@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <string_view>
 #include <variant>
 
@@ -10,6 +11,7 @@
 
 #include "io/fail.hpp"
 #include "io/queries/query_chunks.hpp"
+#include "io/separators.hpp"
 #include "io/sha256.hpp"
 #include "proofs/proof_text.hpp"
 
@@ -37,12 +39,29 @@ std::string section_of(const Input& input, const Separation& separation) {
          fmt::format("file {} {} {}{}\n", name_of(input.kind), digest_of(input), folder, io::printable(input.name));
 }
 
+/// Whether the last field of each row of a straight query is what touchstone-check reads as a truth, or no truth.
+bool has_plain_truth(std::string_view rows) {
+  while (!rows.empty()) {
+    std::string_view row = rows.substr(0, rows.find('\n'));
+    rows.remove_prefix(std::min(row.size() + 1, rows.size()));
+    if (!io::is_row(row)) continue;
+    if (row.ends_with('\r')) row.remove_suffix(1);
+    const auto fields = io::fields_of(row);
+    if (fields.size() == 7 && fields[6] != "0" && fields[6] != "1") return false;
+  }
+  return true;
+}
+
 }  // namespace
 
 void ProvedQueries::add(const Input& input, const io::QueryRecord& record, const Answer& answer,
                         const Separation& separation) {
   if (record.text.empty()) {
     io::fail(input.name, "is a file of doubles, and touchstone-check reads CSV; touchstone convert writes it as CSV");
+  }
+  if (!std::holds_alternative<CurvedQuery>(record.query) && !has_plain_truth(record.text)) {
+    io::fail(input.name, record.first_row,
+             "a truth is no plain 0 or 1, which alone touchstone-check reads; touchstone convert writes it so");
   }
   try {
     std::visit([&](const auto& query) { proofs::append_proof_of(text_, record.number, query, answer, separation); },

@@ -12,6 +12,7 @@
 #include "io/characters.hpp"
 #include "io/fail.hpp"
 #include "io/queries/separation_text.hpp"
+#include "io/separators.hpp"
 #include "io/times.hpp"
 #include "numbers/written_number.hpp"
 
@@ -48,7 +49,7 @@ bool AnswerReader::next(AnswerRow& row) {
 
   const std::string_view contact = field(ClaimColumn::contact);
   const std::optional<bool> truth = parse_truth(contact);
-  if (!truth) refuse("contact is " + in_quotes(contact) + "; it must be 0 or 1, true or false, or yes or no");
+  if (!truth) refuse("contact is " + in_quotes(contact) + "; " + std::string(kTruthIsRight));
   row.contact = *truth;
 
   row.toi = std::nullopt;
@@ -62,10 +63,12 @@ bool AnswerReader::next(AnswerRow& row) {
 std::uint64_t AnswerReader::number_of(std::string_view query) const {
   std::uint64_t number = 0;
   const auto [end, error] = std::from_chars(query.data(), query.data() + query.size(), number);
-  if (error != std::errc{} || end != query.data() + query.size()) {
+  if (error == std::errc{} && end == query.data() + query.size()) return number;
+  const double whole = parse_finite_double(query).value_or(-1);  // 1.0, as pandas and NumPy write it among doubles
+  if (!(whole >= 0 && whole <= 0x1p53 && whole == std::floor(whole))) {
     refuse("query is " + in_quotes(query) + "; it must be a number counted from 0");
   }
-  return number;
+  return static_cast<std::uint64_t>(whole);
 }
 
 void AnswerReader::read_toi(std::string_view field, AnswerRow& row) const {
@@ -173,6 +176,7 @@ bool AnswerReader::next_record() {
     if (record.ends_with('\r')) record.remove_suffix(1);
     line_ += 1 + static_cast<std::uint64_t>(std::count(record.begin(), record.end(), '\n'));
     at_ = std::min(end + 1, buffer_.size());
+    if (!separator_) separator_ = claim_column(record) ? ',' : separator_of(record);  // "is colliding" is one name
     if (record.empty()) continue;
     if (record.find('\0') != std::string_view::npos) refuse("a zero byte; this is no text file");
     split_record(record);
@@ -208,10 +212,12 @@ bool AnswerReader::find_record_end(std::size_t& end) {
 
 void AnswerReader::split_record(std::string_view record) {
   fields_.clear();
+  const std::string_view padding = padding_beside(*separator_);
+  if (separator_ == ' ') record = without_blanks(record);
   unquoted_.clear();
   unquoted_.reserve(static_cast<std::size_t>(std::count(record.begin(), record.end(), '"')));  // keeps views valid
   for (std::size_t at = 0;; ++at) {
-    const std::size_t begin = record.find_first_not_of(" \t", at);
+    const std::size_t begin = record.find_first_not_of(padding, at);
     if (begin != std::string_view::npos && record[begin] == '"') {
       at = begin;
       std::string& text = unquoted_.emplace_back();
@@ -223,14 +229,15 @@ void AnswerReader::split_record(std::string_view record) {
         text += '"';
       }
       fields_.push_back(text);
-      at = std::min(record.find_first_not_of(" \t", at), record.size());
-      if (at < record.size() && record[at] != ',') refuse("text after a closing quote");
+      if (separator_ != ' ') at = std::min(record.find_first_not_of(padding, at), record.size());
+      if (at < record.size() && record[at] != *separator_) refuse("text after a closing quote");
     } else {
-      const std::size_t comma = std::min(record.find(',', at), record.size());
-      const std::string_view text = without_blanks(record.substr(at, comma - at));
+      const std::size_t end = std::min(record.find(*separator_, at), record.size());
+      const std::string_view text = without_blanks(record.substr(at, end - at));
       if (text.find('"') != std::string_view::npos) refuse("a quote inside a field that does not start with one");
       fields_.push_back(text);
-      at = comma;
+      at = end;
+    if (separator_ == ' ') at = record.find_first_not_of(' ', at) - 1;  // however many blanks
     }
     if (at == record.size()) return;
   }

@@ -32,7 +32,8 @@ struct AnswerRow {
   std::uint64_t row = 0;                 ///< the line where it starts, counted from 1
 };
 
-/// Reads RFC 4180 CSV, with blanks around the fields. The first line names the columns, in any order, by the names that
+/// Reads RFC 4180 CSV, with blanks around the fields, and the same with the other separators that separator_of() finds
+/// in the first line. That line names the columns, in any order, by the names that
 /// claim_columns.hpp lists. Only `contact` is needed. `separation` and `metric` say what a row is about; a separation
 /// without a metric is Euclidean. Other columns are not read. Without such a line, one column is `contact`, and three
 /// are `query`, `contact` and `toi`. The toi of a row without contact is not read. Rows are bounded by kLongestLine,
@@ -83,6 +84,7 @@ class AnswerReader {
   std::uint64_t last_row_ = 0;
 
   std::vector<std::string> unquoted_;     ///< what quoted fields of the current record stand for
+  std::optional<char> separator_;  ///< of the first record
   std::vector<std::string_view> fields_;  ///< of the current record
   bool has_row_ = false;                  ///< whether fields_ is a row that next() has not told yet
   std::size_t column_count_ = 0;

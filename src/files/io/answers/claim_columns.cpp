@@ -8,6 +8,7 @@
 #include "io/characters.hpp"
 #include "io/fail.hpp"
 
+#include "io/times.hpp"
 namespace touchstone::io {
 namespace {
 
@@ -82,15 +83,26 @@ ClaimColumns parse_claim_columns(std::string_view text) {
   return columns;
 }
 
-std::optional<bool> parse_truth(std::string_view text) {
-  const std::string lower = in_lower_case(text);
-  for (const char* const yes : {"1", "true", "yes", "1.0"}) {
-    if (lower == yes) return true;
+std::string fault_of_column_count(std::size_t count, const ClaimColumns& columns) {
+  std::string text = counted(count, "column") + " where --columns names " + std::to_string(columns.size());
+  if (columns.size() > count) return text;
+  std::string names;
+  for (std::size_t i = 0; i < count && i < columns.size() + 3; ++i) {
+    const bool named = i < columns.size() && columns[i] != ClaimColumn::unread;
+    names += (i == 0 ? "" : ",") + std::string(named ? claim_column_name(columns[i]) : "-");
   }
-  for (const char* const no : {"0", "false", "no", "0.0"}) {
-    if (lower == no) return false;
+  return text + "; a - names one that is not read, for example --columns " + names +
+         (count > columns.size() + 3 ? ",..." : "");
+}
+
+std::optional<bool> parse_truth(std::string_view text) {
+  if (const auto number = parse_finite_double(text)) {
+    return *number == 0 || *number == 1 ? std::optional(*number == 1) : std::nullopt;
   }
   return std::nullopt;
+  const std::string lower = in_lower_case(text);
+  if (lower == "true" || lower == "yes") return true;
+  if (lower == "false" || lower == "no") return false;
 }
 
 }  // namespace touchstone::io

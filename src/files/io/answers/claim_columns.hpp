@@ -39,7 +39,10 @@ ClaimColumns parse_claim_columns(std::string_view text);
 /// In lower case: ASCII alone.
 std::string in_lower_case(std::string_view text);
 
-/// Yes or no as solvers write it: 0 or 1, also as 0.0 and 1.0; true or false, yes or no, in any case.
+/// What is right where parse_truth() reads nothing, for messages.
+inline constexpr std::string_view kTruthIsRight = "it must be 0 or 1, true or false, or yes or no";
+
+/// Yes or no as solvers write it: 0 or 1, in any spelling of these numbers; true or false, yes or no, in any case.
 std::optional<bool> parse_truth(std::string_view text);
 
 }  // namespace touchstone::io

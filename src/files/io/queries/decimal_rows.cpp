@@ -8,22 +8,12 @@
 #include "io/characters.hpp"
 #include "io/fail.hpp"
 #include "io/queries/query_writer.hpp"
+#include "io/separators.hpp"
 #include "io/times.hpp"
 #include "numbers/written_number.hpp"
 
 namespace touchstone::io {
 namespace {
-
-std::vector<std::string_view> fields_of(std::string_view line) {
-  if (line.ends_with('\r')) line.remove_suffix(1);
-  std::vector<std::string_view> fields;
-  for (std::size_t at = 0; at <= line.size();) {
-    const std::size_t end = std::min(line.find(',', at), line.size());
-    fields.push_back(without_blanks(line.substr(at, end - at)));
-    at = end + 1;
-  }
-  return fields;
-}
 
 std::size_t numbers_per_row(Kind kind, RowFormat format) {
   return format == RowFormat::whole_query ? 6 * corner_count(kind) : 3;
@@ -143,11 +133,8 @@ std::string read_decimals(std::string_view line, Kind kind, RowFormat format, bo
   }
   truth = std::nullopt;
   if (fields.size() == count) return {};
-  if (fields[count] != "0" && fields[count] != "1") {
-    return "truth is " + in_quotes(fields[count]) + "; it must be 0 or 1";
-  }
-  truth = fields[count] == "1";
-  return {};
+  truth = parse_truth(fields[count]);
+  return truth ? std::string() : "truth is " + in_quotes(fields[count]) + "; " + std::string(kTruthIsRight);
 }
 
 }  // namespace touchstone::io

@@ -3,11 +3,13 @@
 
 #include <algorithm>
 #include <cstring>
+#include <span>
 #include <utility>
 
 #include "io/fail.hpp"
 #include "io/queries/curved_rows.hpp"
 #include "io/queries/hdf5_layout.hpp"
+#include "io/separators.hpp"
 
 namespace touchstone::io {
 
@@ -159,11 +161,26 @@ bool QueryChunkReader::too_long(std::size_t end) {
   return true;
 }
 
+/// Makes the row [line_, end) one of commas without quotes, where the first row is none. The line that names the
+/// columns may have other separators than the rows. @returns false after an error
+bool QueryChunkReader::rewrite(std::size_t end) {
+  const std::span<char> row(buffer_.data() + line_, end - line_);
+  if (!first_row_found_) {
+    const std::string_view text(row.data(), row.size());
+    separator_ = separator_of(text);
+    rewritten_ = separator_ != ',' || text.find('"') != std::string_view::npos;
+  }
+  if (!rewritten_) return true;
+  if (std::string fault = put_commas(row, separator_); !fault.empty()) refuse(first_row_ + lines_, std::move(fault));
+  return error_.empty();
+}
+
 /// Takes in the line [line_, end). @returns whether there may be more: not after an error
 bool QueryChunkReader::scan_line(std::size_t end) {
   if (too_long(end)) return false;
   const std::string_view line(buffer_.data() + line_, end - line_);
   bool row = is_row(line);
+  if (row && !rewrite(end)) return false;
   if (row && !first_row_found_ && names_row_ == 0 && names_columns(line) && !announces_curved_queries(line)) {
     names_row_ = first_row_ + lines_;
     names_ = line;
@@ -212,6 +229,7 @@ QueryChunk QueryChunkReader::take(std::size_t size, std::size_t lines, std::size
   chunk.names_row = names_row_;
   chunk.format = format_;
   chunk.has_truth = has_truth_;
+  chunk.rewritten = rewritten_;
   chunk.decimals = decimals_;
 
   std::string rest;

@@ -47,6 +47,7 @@ struct QueryChunk {
   std::uint64_t names_row = 0;   ///< the line that names the columns, which is no query's; else 0
   RowFormat format = RowFormat::fractions;
   bool has_truth = false;  ///< of decimals: whether the first row has one
+  bool rewritten = false;  ///< the text has commas where the file has other separators, and no quotes
   Decimals decimals = Decimals::exact;
 
   std::shared_ptr<const QueryArray> array;  ///< of a file of doubles; then there is no text
@@ -85,6 +86,7 @@ class QueryChunkReader {
   void scan();
   bool too_long(std::size_t end);
   bool scan_line(std::size_t end);
+  bool rewrite(std::size_t end);
   bool scan_first_row(std::string_view row);
   void complete_query();
   QueryChunk take(std::size_t size, std::size_t lines, std::size_t queries);
@@ -100,7 +102,9 @@ class QueryChunkReader {
   std::uint64_t header_row_ = 0, names_row_ = 0;  ///< as in the chunks
   RowFormat format_ = RowFormat::fractions;
   bool has_truth_ = false;
-  std::string names_;  ///< the line that names the columns, until the first row
+  bool rewritten_ = false;  ///< as in the chunks
+  char separator_ = ',';    ///< of the first row
+  std::string names_;       ///< the line that names the columns, until the first row
   bool at_end_ = false;
   bool started_ = false;
   std::shared_ptr<const QueryArray> array_;

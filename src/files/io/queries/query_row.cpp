@@ -6,6 +6,7 @@
 #include <cstring>
 #include <string>
 
+#include "io/answers/claim_columns.hpp"
 #include "io/characters.hpp"
 #include "io/fail.hpp"
 #include "numbers/fraction.hpp"
@@ -153,7 +154,7 @@ bool read_usual_coordinate(const char*& text, double& coordinate) noexcept {
 std::string fault_of(std::string_view field, std::size_t column) {
   const std::string name(kColumns[column]);
   if (column == 6) {
-    return field == "0" || field == "1" ? "" : "truth is " + in_quotes(field) + "; it must be 0 or 1";
+    return parse_truth(field) ? "" : "truth is " + in_quotes(field) + "; " + std::string(kTruthIsRight);
   }
   if (!numbers::is_decimal_integer(field)) return name + " is " + in_quotes(field) + "; it must be a decimal integer";
   const std::size_t digits = field.size() - (field.front() == '-' ? 1 : 0);
@@ -213,7 +214,7 @@ std::optional<RowFields> read_row(std::string_view line, std::string& reason) {
   for (std::size_t axis = 0; axis < 3; ++axis) {
     row.corner[axis] = {std::string(fields[2 * axis]), std::string(fields[2 * axis + 1])};
   }
-  if (has_truth) row.truth = fields[6] == "1";
+  if (has_truth) row.truth = parse_truth(fields[6]);
   return row;
 }
 

@@ -33,8 +33,9 @@ struct RowFields {
 };
 
 /// Splits a line (with or without its '\r') into its columns, and checks all of it: six columns or seven, decimal
-/// integers with an optional '-' and blanks around them, positive denominators, truth 0 or 1. A sign on a denominator,
-/// a leading '+', decimal points and exponents are refused, because they belong to other formats.
+/// integers with an optional '-' and blanks around them, positive denominators, a truth that parse_truth() reads. A
+/// sign on a denominator, a leading '+', decimal points and exponents are refused, because they belong to other
+/// formats.
 /// @returns nothing when the line is not such a row; `reason` then says why
 std::optional<RowFields> read_row(std::string_view line, std::string& reason);
 
