@@ -123,14 +123,14 @@ TEST_CASE("claims that are not one for each query leave no proofs") {
     return run.err;
   };
   const std::string claims = folder.path("claims.csv");
-  CHECK(error("query,contact\n0,1\n0,1\n1,0\n") ==
-        claims + ":3: query is 0 where 1 of " + file +
-            " comes next; claims must be in the order of the queries, one each\n");
+  CHECK(error("query,contact\n0,1\n0,1\n1,0\n") == claims + ":3: the second claim about query 0 of " + file + "\n");
   CHECK(error("query,contact\n0,1\n") ==
-        claims + ":2: the claims end here, after 1; query 1 of " + file + " has none\n");
-  CHECK(error("query,contact\n1,0\n").rfind(claims + ":2: query is 1 where 0 of ", 0) == 0);
+        claims + ":2: the claims end here, after 1; query 1 of " + file +
+            " has none; queries are counted from 0, and with --missing no-contact those without a claim are claimed to "
+            "have none\n");
+  CHECK(error("query,contact\n1,0\n").rfind(claims + ":2: the claims end here, after 1; query 0 of ", 0) == 0);
   CHECK(error("query,contact\n0,1\n1,0\n2,0\n") ==
-        claims + ":4: a claim too many; there are only 2 queries in the query files\n");
+        claims + ":4: query is 2, and " + file + " has 2 queries, counted from 0\n");
 }
 
 TEST_CASE("a file that is named twice is judged and proved twice") {
@@ -160,8 +160,8 @@ TEST_CASE("queries that are no doubles are judged and proved") {
 
 TEST_CASE("proofs overwrite neither an input nor the report") {
   const TemporaryFolder folder;
-  const std::string file = folder.write("point-point/a.csv", two_point_queries());
-  const std::string claims = folder.write("claims.csv", "query,contact\n0,1\n1,0\n");
+  const std::string file = folder.write("point-point/a.txt", two_point_queries());
+  const std::string claims = folder.write("claims.txt", "query,contact\n0,1\n1,0\n");
   const auto error = [&](const Words& more) {
     Words arguments = {"certify", "--claims", claims, file};
     arguments.insert(arguments.end(), more.begin(), more.end());
@@ -173,8 +173,8 @@ TEST_CASE("proofs overwrite neither an input nor the report") {
   for (const std::string& input : {file, claims}) {
     CHECK(error({"--proofs", input}) == input + ": is also an input; writing there would destroy it\n");
   }
-  CHECK(folder.read("point-point/a.csv") == two_point_queries());
-  CHECK(folder.read("claims.csv") == "query,contact\n0,1\n1,0\n");
+  CHECK(folder.read("point-point/a.txt") == two_point_queries());
+  CHECK(folder.read("claims.txt") == "query,contact\n0,1\n1,0\n");
 
   const std::string out = folder.path("out");
   const std::string also_out = folder.path("point-point/../out");

@@ -141,6 +141,85 @@ TEST_CASE("a verdict says that claims have no times, and which columns are not r
   }
 }
 
+TEST_CASE("claims that number their queries may have any order") {
+  struct Spelling {
+    const char* name;
+    std::string claims;
+    std::vector<std::string> more = {};
+  };
+  const std::vector<Spelling> spellings = {
+      {"a.csv", "id;hit;toi\n2;1;0.25\n0;1;0.5\n1;0;\n"},
+      {"b.csv", "id,hit,toi\n0,1,0.5\n2,1,0.25\n1,0,\n"},
+      {"c.csv", "2 1 0.25\n1 0 inf\n0 1 0.5\n"},
+      {"d.json", R"([{"id": 1, "hit": false}, {"id": 2, "hit": true, "t": 0.25}, {"id": 0, "hit": true, "t": 0.5}])"},
+      {"e.npy", npy("<f8", "(3, 3)", doubles({1, 0, kInfinity, 2, 1, 0.25, 0, 1, 0.5}))},
+      {"hits.csv", "id,hit,toi\n2,1,0.25\n0,1,0.5\n", {"--missing", "no-contact"}},
+      {"hits.npy", npy("<f8", "(2, 3)", doubles({2, 1, 0.25, 0, 1, 0.5})), {"--missing", "no-contact"}},
+  };
+  for (const Spelling& spelling : spellings) {
+    Judging judging;
+    const Run run = judging.run(spelling.name, spelling.claims, spelling.more);
+    CAPTURE(spelling.name, run.out, run.err);
+    CHECK(run.status == 0);
+    const std::string without = spelling.more.empty() ? "" : " (no contact at 1 query without a claim)";
+    CHECK(run.out.starts_with("all 3 claims hold (claims of " + judging.folder.path(spelling.name) + without +
+                              ", 1 file)\n"));
+    CHECK(occurrences(run.out, "0 to 0 doubles before the exact time") == 1);  // each time is that of its query
+  }
+  Judging judging;
+  const Run none = judging.run("none.csv", "id,hit\n", {"--missing", "no-contact"});
+  CHECK(none.status == 1);
+  CHECK(occurrences(none.out, "  missed      2") == 1);
+  // Several files, each named by its claims.
+  const std::string more = judging.folder.write("point-point/r.csv", kQueries.substr(0, kQueries.size() / 3));
+  const std::string first = judging.queries, head = "file,query,contact\n";
+  const auto of_two = [&](const std::string& claims, const std::vector<std::string>& options = {}) {
+    std::vector<std::string> words = options;
+    words.push_back(more);
+    return judging.run("two.csv", claims, words);
+  };
+  const std::string shuffled = first + ",2,1\n" + first + ",0,1\n" + more + ",0,1\n" + first + ",1,0\n";
+  CHECK(of_two(head + shuffled).status == 0);
+  CHECK(of_two(head + first + ",2,1\n" + more + ",0,1\n" + first + ",0,1\n", {"--missing", "no-contact"}).status == 0);
+  CHECK(of_two("query,contact\n0,1\n0,1\n1,0\n2,1\n").status == 0);
+  CHECK(occurrences(of_two("query,contact\n0,1\n1,0\n0,1\n2,1\n").err,
+                    "two.csv:3: query is 1 where query 0 of " + first +
+                        " comes next; claims about several query files have another order than the queries only if a "
+                        "column 'file' names the file of each\n") == 1);
+  CHECK(occurrences(of_two(head + "x.csv,0,1\n").err, "two.csv:2: file is 'x.csv' where ") == 1);
+}
+
+TEST_CASE("a claim that is missing, the second one of its query, or of none, is named with its row") {
+  const std::string missing =
+      " has none; queries are counted from 0, and with --missing no-contact those without a claim are claimed to have "
+      "none";
+  for (const auto& [claims, message] : std::vector<std::pair<std::string, std::string>>{
+           {"0,1\n2,1\n", ":3: the claims end here, after 2; query 1 of FILE" + missing},
+           {"1,1\n2,1\n3,0\n", ":4: the claims end here, after 3; query 0 of FILE" + missing},
+           {"2,1\n1,0\n0,1\n3,0\n", ":5: query is 3, and FILE has 3 queries, counted from 0"},
+           {"2,1\n3,0\n1,0\n0,1\n", ":3: query is 3, and FILE has 3 queries, counted from 0"},
+           {"2,1\n2,1\n1,0\n0,1\n", ":3: the second claim about query 2 of FILE; the first one is in row 2"},
+           {"0,1\n1,0\n0,1\n2,1\n", ":4: the second claim about query 0 of FILE"},
+           {"0,1\n1,0\n2,1\n2,1\n", ":5: the second claim about query 2 of FILE"},
+           {"0,1\n,0\n2,1\n", ":3: query is ''; it must be a number counted from 0"},
+       }) {
+    Judging judging;
+    const Run run = judging.run("a.csv", "query,contact\n" + claims);
+    std::string expected = judging.folder.path("a.csv") + message + "\n";
+    if (const std::size_t at = expected.find("FILE"); at != std::string::npos) expected.replace(at, 4, judging.queries);
+    CHECK(run.status == 2);
+    CHECK(run.err == expected);
+  }
+  Judging judging;
+  CHECK(occurrences(judging.run("a.json", "[true]", {"--missing", "no-contact"}).err,
+                    "none, and --missing is for claims that number their queries\n") == 1);
+  CHECK(occurrences(judging.run("b.json", R"([{"id": 1, "hit": 0}, {"id": 1, "hit": 0}])").err,
+                    "b.json: claim 2 of 2: the second claim about query 1 of ") == 1);
+  const std::string mixed = "query,contact,separation\n0,1,0\n2,1,1\n";
+  CHECK(occurrences(judging.run("c.csv", mixed, {"--missing", "no-contact"}).err,
+                    "has none, and those of others are about several separations; --separation says which\n") == 1);
+}
+
 TEST_CASE("a false claim is refuted in each sort of file") {
   for (const auto& [name, claims] : std::vector<std::pair<std::string, std::string>>{
            {"a.csv", "0,1,0.5\n1,0,inf\n2,1,0.2500001\n"},
@@ -167,7 +246,16 @@ TEST_CASE("faults of claims are named with what would be right") {
       {"none.csv", "query,answer\n0,1\n",
        ":1: no column is a 'contact'; known names are file (or filename), query (or"},
       {"twice.csv", "hit,contact\n0,1\n", ":1: two columns are a 'contact'; --columns says which one is read"},
-      {"wide.csv", "1,2,3,4\n", ":1: 4 columns where --columns has 2", {"--columns", "contact,toi"}},
+      {"wide.csv",
+       "1,2,3,4\n",
+       ":1: 4 columns where --columns names 2; a - names one that is not read, for example --columns contact,toi,-,-",
+       {"--columns", "contact,toi"}},
+      {"wide.npy",
+       npy("<f8", "(1, 6)", doubles({1, 0, 0, 0, 0, 0})),
+       ": has 6 columns where --columns names 2; a - names one that is not read, for example --columns "
+       "-,contact,-,-,-,...",
+       {"--columns", "-,contact"}},
+      {"narrow.csv", "1\n", ":1: 1 column where --columns names 2", {"--columns", "contact,toi"}},
       {"maybe.csv", "hit\nmaybe\n", ":2: contact is 'maybe'; it must be 0 or 1, true or false, or yes or no"},
       {"late.csv", "hit,toi\n1,inf\n", ":2: toi is 'inf'; of a contact it must be a finite number such as"},
       {"upper.csv", "0,0,NaN\n1,1,inf\n", ":2: toi is 'inf'; of a contact it must be a finite number such as"},
@@ -181,7 +269,8 @@ TEST_CASE("faults of claims are named with what would be right") {
             {"separation.npy", npy("<f8", "(1,)", doubles({1}))}}),
        ": has a 'separation', which is read from CSV and JSON alone; for the separation, --separation says it"},
       {"short.json", "[true]", ": the claims end here, after 1; query 1 of "},
-      {"long.npy", npy("|b1", "(4,)", std::string("\1\0\1\1", 4)), ": a claim too many; there are only 3 queries"},
+      {"long.npy", npy("|b1", "(4,)", std::string("\1\0\1\1", 4)),
+       ": claim 4 of 4: a claim too many; there are only 3 queries"},
       {"no.json", "[2]", ": [0]: must be 0 or 1, or false or true"},
       {"key.json", "[{\"toi\": 1}]", ": [0]: has no key 'contact'; known are file (or"},
       {"both.json", "[{\"hit\": 1, \"contact\": 1}]", ": [0]: has two keys that are a 'contact'"},
@@ -229,6 +318,9 @@ TEST_CASE("columns that say nothing are refused") {
     CHECK(run.status == 2);
     CHECK(occurrences(run.err, message) == 1);
   }
+  const Run missing = run_program({"certify", "--missing", "no-contact", judging.queries});
+  CHECK(missing.status == 2);
+  CHECK(occurrences(missing.err, "--missing says what a file of --claims leaves out") == 1);
   const Run run = run_program({"certify", "--columns", "contact", judging.queries});
   CHECK(run.status == 2);
   CHECK(occurrences(run.err, "--columns says what a file of --claims has") == 1);

@@ -12,7 +12,6 @@
 #include <touchstone/error.hpp>
 
 #include "certify/tally.hpp"
-#include "cli/certify/claims.hpp"
 #include "cli/certify/json_report.hpp"
 #include "cli/certify/verdict_summary.hpp"
 #include "cli/shared/command_line/judging_options.hpp"
@@ -34,29 +33,6 @@ namespace touchstone::cli {
 namespace {
 
 constexpr std::size_t kShownClaims = 5;
-
-/// The separations of a run's claims: all the same one, or several.
-class Questions {
- public:
-  void add(const Separation& separation) {
-    if (!first_) first_ = separation;
-    several_ = several_ || !io::same_question(*first_, separation);
-  }
-
-  void merge(const Questions& other) {
-    if (other.first_) add(*other.first_);
-    several_ = several_ || other.several_;
-  }
-
-  /// Nothing when there are several.
-  std::optional<Separation> only() const {
-    return several_ ? std::nullopt : std::optional(first_.value_or(Separation()));
-  }
-
- private:
-  std::optional<Separation> first_;
-  bool several_ = false;
-};
 
 struct CertifyItem : QueryItem {
   std::vector<StatedClaim> claims;  ///< of an answers file; fewer than the queries when that ends too soon
@@ -240,6 +216,9 @@ std::string summary(const CertifyOptions& options, const std::string& left_out, 
 int run_certify(const CertifyOptions& options) {
   if (options.files.empty() && options.kind) throw Error("--kind goes with files; the bundled queries know theirs");
   if (options.claims.empty() && !options.columns.empty()) throw Error("--columns says what a file of --claims has");
+  if (options.claims.empty() && options.missing != MissingClaim::refused) {
+    throw Error("--missing says what a file of --claims leaves out");
+  }
   if (options.files.empty() && options.claims.empty() && options.separation.given) {
     throw Error(
         "--separation goes with files or --claims; the truth column of each bundled file is about a separation of its "
@@ -265,7 +244,7 @@ int run_certify(const CertifyOptions& options) {
     const io::ClaimColumns columns =
         options.columns.empty() ? io::ClaimColumns() : io::parse_claim_columns(options.columns);
     claims.emplace(options.claims, columns, options.decimals, inputs, options.separation, separations_of_file,
-                   options.chunk_bytes);
+                   options.missing, options.chunk_bytes);
   }
   std::optional<io::OutputFile> lines;
   if (options.json) lines.emplace(io::OutputFile::standard_output());
@@ -348,15 +327,22 @@ void add_certify(CLI::App& program, Command& command) {
                          "The separation that the claims are about, for files that do not say it");
   subcommand
       ->add_option("--claims", options->claims,
-                   "The claims to judge, one a query in the order of the queries: CSV with the columns contact and, "
-                   "perhaps, query, toi and file; or JSON, lines of JSON, .npy or .npz (default: the truth "
-                   "column of the query files)")
+                   "The claims to judge, one a query, in the order of the queries or with their numbers: CSV with the "
+                   "columns contact and, perhaps, query, toi and file; or JSON, lines of JSON, .npy or .npz (default: "
+                   "the truth column of the query files)")
       ->type_name("FILE");
   subcommand
       ->add_option("--columns", options->columns,
                    "What the columns of the claims are, in order, where they have other names or none: query, contact, "
                    "toi, file, separation, metric, or - for one that is not read")
       ->type_name("NAMES");
+  subcommand
+      ->add_option_function<std::string>(
+          "--missing", [options](const std::string&) { options->missing = MissingClaim::no_contact; },
+          "What a query is that has no claim, where claims have the numbers of their queries: no-contact, a claim that "
+          "there is none. So a file may list hits alone (default: an error)")
+      ->type_name("CLAIM")
+      ->check(CLI::IsMember({"no-contact"}));
   add_time_limit(*subcommand, "--late",
                  "The greatest distance of a claimed toi after the exact time that does not count as refuted (default: "
                  "none)",

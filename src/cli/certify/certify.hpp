@@ -9,6 +9,7 @@
 #include <touchstone/certify.hpp>
 
 #include "certify/time_errors.hpp"
+#include "cli/certify/claims.hpp"
 #include "cli/shared/command_line/command.hpp"
 #include "cli/shared/command_line/common_options.hpp"
 
@@ -17,8 +18,9 @@ namespace touchstone::cli {
 struct CertifyOptions : QueryOptions {
   std::string claims;   ///< an answers file; empty: the truth column
   std::string columns;  ///< of the claims; empty: as their header says
-  std::string report;   ///< empty: none
-  std::string proofs;   ///< the file for the proofs of the exact answers; empty: none
+  MissingClaim missing = MissingClaim::refused;
+  std::string report;  ///< empty: none
+  std::string proofs;  ///< the file for the proofs of the exact answers; empty: none
 
   // Which wrong claims count as refuted: all but those that are late within the limit, and those of other classes.
   std::optional<certify::TimeLimit> late;

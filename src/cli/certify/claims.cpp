@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
 
 #include "cli/shared/progress/interrupt.hpp"
@@ -11,19 +12,38 @@
 #include "io/queries/separation_text.hpp"
 
 namespace touchstone::cli {
+namespace {
+
+std::string path_of(const std::string& name) { return std::filesystem::path(name).lexically_normal().string(); }
+
+}  // namespace
+
+void Questions::add(const Separation& separation) {
+  if (!first_) first_ = separation;
+  several_ = several_ || !io::same_question(*first_, separation);
+}
+
+void Questions::merge(const Questions& other) {
+  if (other.first_) add(*other.first_);
+  several_ = several_ || other.several_;
+}
 
 ClaimStream::ClaimStream(const std::string& path, const io::ClaimColumns& columns, io::Decimals decimals,
                          const std::vector<Input>& inputs, const SeparationOption& separation,
-                         SeparationsOfFile separations_of_file, std::size_t chunk_bytes)
+                         SeparationsOfFile separations_of_file, MissingClaim missing, std::size_t chunk_bytes)
     : name_(without_dash(path)),
       decimals_(decimals),
       inputs_(inputs),
       separation_(separation),
-      separations_of_file_(separations_of_file) {
+      separations_of_file_(separations_of_file),
+      missing_(missing),
+      queries_(inputs.size()) {
+  for (const Input& input : inputs) paths_.push_back(path_of(input.name));
   if (is_list_of_claims(name_)) {
     listed_ = read_listed_claims(name_, columns);
   } else {
     reader_.emplace(io::InputFile::open(name_, throw_if_interrupted), columns, chunk_bytes);
+    has_numbers_ = reader_->has_query_column();
   }
 }
 
@@ -32,6 +52,10 @@ std::string ClaimStream::left_out() const {
   std::string text;
   if (times_ < contacts_) {
     text = times_ == 0 ? "no times" : fmt::format("times for {} of {}", grouped(times_), counted(contacts_, "contact"));
+  }
+  if (without_claim_ > 0) {
+    text += std::string(text.empty() ? "" : ", ") + "no contact at " + counted(without_claim_, "query") +
+            " without a claim";
   }
   if (unread.empty()) return text;
   text += std::string(text.empty() ? "" : ", ") + "not read:";
@@ -43,45 +67,100 @@ std::string ClaimStream::left_out() const {
 }
 
 void ClaimStream::read(const QueryItem& item, std::vector<StatedClaim>& claims) {
-  const Input& input = inputs_[item.input];
   for (std::size_t i = 0; i < item.chunk.query_count; ++i) {
-    const std::uint64_t query = item.chunk.first_query + i;
-    io::AnswerRow row;
-    if (!next(row)) {
-      refuse(reader_ ? reader_->last_row() : 0, fmt::format("the claims end here, after {}; query {} of {} has none",
-                                                            grouped(claims_), query, io::printable(input.name)));
-    }
-    if (row.file && !(has_known_file_ && known_input_ == item.input && known_file_ == *row.file)) {
-      check_file(row, input);
-      known_file_ = *row.file;
-      known_input_ = item.input;
-      has_known_file_ = true;
-    }
-    if (row.query.value_or(query) != query) {
-      refuse(row.row,
-             fmt::format("query is {} where {} of {} comes next; claims must be in the order of the queries, one each",
-                         *row.query, query, io::printable(input.name)));
-    }
-    if (decimals_ == io::Decimals::nearest_double) row.toi_as_written = {};
-    const Separation separation = separation_of(row);
-    if (separations_of_file_ == SeparationsOfFile::one) check_one_separation(separation, row.row, query, input);
-    claims.push_back({{row.contact, row.toi, std::string(row.toi_as_written)}, separation});
-    ++claims_;
-    contacts_ += row.contact ? 1 : 0;
-    times_ += row.toi ? 1 : 0;
+    const Subject subject(item.input, item.chunk.first_query + i);
+    ReadClaim claim = claim_about(subject);
+    ++queries_[subject.first];
+    if (separations_of_file_ == SeparationsOfFile::one) check_one_separation(claim, subject);
+    claims.push_back(std::move(claim.stated));
   }
+}
+
+ClaimStream::ReadClaim ClaimStream::claim_about(Subject subject) {
+  if (auto held = held_.extract(subject)) return std::move(held.mapped());
+  io::AnswerRow row;
+  while (next(row)) {
+    const Subject of = subject_of(row, subject);
+    ReadClaim claim = count(row);
+    if (of == subject) return claim;
+    refuse_second(row.row, of);
+    held_.emplace(of, std::move(claim));
+  }
+  return missing_claim(subject);
+}
+
+ClaimStream::ReadClaim ClaimStream::missing_claim(Subject subject) {
+  const auto refuse_missing = [&](const std::string& more) {
+    refuse(reader_ ? reader_->last_row() : 0,
+           fmt::format("the claims end here, after {}; {} has none{}", grouped(claims_), name_of_query(subject), more));
+  };
+  if (!has_numbers_) {
+    refuse_missing(missing_ == MissingClaim::refused ? "" : ", and --missing is for claims that number their queries");
+  }
+  if (missing_ == MissingClaim::refused) {
+    refuse_missing(
+        "; queries are counted from 0, and with --missing no-contact those without a claim are claimed to have none");
+  }
+  const auto separation = separation_.given ? separation_.separation : questions_.only();
+  if (!separation) refuse_missing(", and those of others are about several separations; --separation says which");
+  ++without_claim_;
+  return {{Claim(), *separation}, 0};
+}
+
+/// The claim of a row, which is counted.
+ClaimStream::ReadClaim ClaimStream::count(const io::AnswerRow& row) {
+  const Separation separation = separation_of(row);
+  questions_.add(separation);
+  ++claims_;
+  contacts_ += row.contact ? 1 : 0;
+  times_ += row.toi ? 1 : 0;
+  const std::string_view written = decimals_ == io::Decimals::nearest_double ? std::string_view() : row.toi_as_written;
+  return {{{row.contact, row.toi, std::string(written)}, separation}, row.row};
+}
+
+/// @param expected  the query whose claim is looked for: that of a row without a number
+ClaimStream::Subject ClaimStream::subject_of(const io::AnswerRow& row, Subject expected) {
+  const Subject subject(file_of(row, expected.first), row.query.value_or(expected.second));
+  has_numbers_ = has_numbers_ || row.query.has_value();
+  if (!row.file && row.query && inputs_.size() > 1 && subject != expected) {
+    refuse(row.row, fmt::format("query is {} where {} comes next; claims about several query files have another order "
+                                "than the queries only if a column 'file' names the file of each",
+                                *row.query, name_of_query(expected)));
+  }
+  return subject;
+}
+
+void ClaimStream::refuse_second(std::uint64_t row, Subject subject) const {
+  const auto held = held_.find(subject);
+  if (held == held_.end() && subject.second >= queries_[subject.first]) return;
+  const std::uint64_t first = held == held_.end() ? 0 : held->second.row;
+  refuse(row, fmt::format("the second claim about {}{}", name_of_query(subject),
+                          first == 0 ? std::string() : fmt::format("; the first one is in row {}", first)));
 }
 
 void ClaimStream::finish() {
   io::AnswerRow row;
+  const auto refuse_number = [&](std::uint64_t at, Subject subject) {
+    refuse(at, fmt::format("query is {}, and {} has {}, counted from 0", subject.second,
+                           io::printable(inputs_[subject.first].name), counted(queries_[subject.first], "query")));
+  };
+  if (!held_.empty()) refuse_number(held_.begin()->second.row, held_.begin()->first);
   if (!next(row)) return;
-  refuse(row.row, fmt::format("a claim too many; there are only {} in the query files", counted(claims_, "query")));
+  std::uint64_t queries = 0;
+  for (const std::uint64_t of_file : queries_) queries += of_file;
+  if (row.query && (row.file || inputs_.size() == 1)) {
+    const Subject subject = subject_of(row, {inputs_.size() - 1, *row.query});
+    refuse_second(row.row, subject);
+    refuse_number(row.row, subject);
+  }
+  refuse(row.row, fmt::format("a claim too many; there are only {} in the query files", counted(queries, "query")));
 }
 
 bool ClaimStream::next(io::AnswerRow& row) {
   if (reader_) return reader_->next(row);
   if (claims_ == listed_.claims.size()) return false;
   const ListedClaim& claim = listed_.claims[claims_];
+  row.row = claims_ + 1;
   if (claim.file) row.file = *claim.file;
   row.separation = claim.separation;
   row.query = claim.query;
@@ -91,8 +170,12 @@ bool ClaimStream::next(io::AnswerRow& row) {
 }
 
 void ClaimStream::refuse(std::uint64_t row, const std::string& reason) const {
-  if (!reader_) io::fail(name_, reason);
-  io::fail(name_, row, reason);
+  if (reader_) io::fail(name_, row, reason);
+  io::fail(name_, row == 0 ? reason : fmt::format("claim {} of {}: {}", row, listed_.claims.size(), reason));
+}
+
+std::string ClaimStream::name_of_query(Subject subject) const {
+  return fmt::format("query {} of {}", subject.second, io::printable(inputs_[subject.first].name));
 }
 
 Separation ClaimStream::separation_of(const io::AnswerRow& row) const {
@@ -104,24 +187,32 @@ Separation ClaimStream::separation_of(const io::AnswerRow& row) const {
   return separation_.separation;
 }
 
-void ClaimStream::check_one_separation(const Separation& separation, std::uint64_t row, std::uint64_t query,
-                                       const Input& input) {
-  if (query == 0) file_separation_ = separation;
+void ClaimStream::check_one_separation(const ReadClaim& claim, Subject subject) {
+  const Separation& separation = claim.stated.separation;
+  if (subject.second == 0) file_separation_ = separation;
   if (io::same_question(separation, file_separation_)) return;
-  refuse(row,
+  refuse(claim.row,
          fmt::format("the claim is about {}, and the first one about {} is about {}; in a file of proofs, as --proofs "
                      "writes it, the queries of a file have one separation",
-                     separation_for_person(separation), io::printable(input.name),
+                     separation_for_person(separation), io::printable(inputs_[subject.first].name),
                      separation_for_person(file_separation_)));
 }
 
-void ClaimStream::check_file(const io::AnswerRow& row, const Input& input) {
-  const std::filesystem::path claimed(*row.file);
-  if (claimed.lexically_normal() == std::filesystem::path(input.name).lexically_normal()) return;
-  refuse(row.row,
-         fmt::format("file is {} where {} comes next; claims must be in the order of the queries, and name the files "
-                     "as the command line does",
-                     io::in_quotes(*row.file), io::in_quotes(input.name)));
+/// The file that a row names; without a name the expected one.
+std::size_t ClaimStream::file_of(const io::AnswerRow& row, std::size_t expected) {
+  if (!row.file) return expected;
+  if (known_file_ != *row.file) {
+    known_file_ = *row.file;
+    known_path_ = path_of(known_file_);
+  }
+  if (known_path_ == paths_[expected]) return expected;  // a file may be named twice
+  const auto found = std::find(paths_.begin(), paths_.end(), known_path_);
+  if (found == paths_.end() || !row.query) {
+    refuse(row.row, fmt::format("file is {} where {} comes next; claims name the files as the command line does, and "
+                                "without a column 'query' they are in the order of the queries",
+                                io::in_quotes(*row.file), io::in_quotes(inputs_[expected].name)));
+  }
+  return static_cast<std::size_t>(found - paths_.begin());
 }
 
 }  // namespace touchstone::cli

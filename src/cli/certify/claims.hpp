@@ -4,8 +4,10 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <touchstone/certify.hpp>
@@ -23,11 +25,32 @@ struct StatedClaim {
   Separation separation;
 };
 
+/// The separations of claims: all the same one, or several.
+class Questions {
+ public:
+  void add(const Separation& separation);
+  void merge(const Questions& other);
+
+  /// Nothing when there are several; touching when there is none.
+  std::optional<Separation> only() const {
+    return several_ ? std::nullopt : std::optional(first_.value_or(Separation()));
+  }
+
+ private:
+  std::optional<Separation> first_;
+  bool several_ = false;
+};
+
 /// Whether the claims about one query file may be about several separations.
 enum class SeparationsOfFile : bool { one, several };
 
-/// The claims must be in the order of the queries, one for each. The `query` column of an answers file, if it has one,
-/// counts from 0 within each query file, and its `file` column, if it has one, names the file as the command line does.
+/// What a query is that has no claim in a file whose claims have the numbers of their queries.
+enum class MissingClaim : bool { refused, no_contact };
+
+/// One claim for each query. The `query` column of an answers file, if it has one, counts from 0 within each query
+/// file, and its `file` column, if it has one, names the file as the command line does. Without a `query` column the
+/// claims are in the order of the queries, and so they are without a `file` column where there are several query
+/// files. Otherwise they may have any order; claims that come before those of earlier queries are held in memory.
 /// Files that listed_claims.hpp reads are no such table.
 class ClaimStream {
  public:
@@ -38,25 +61,39 @@ class ClaimStream {
   /// @throws FileError when the file cannot be read or holds no claims
   ClaimStream(const std::string& path, const io::ClaimColumns& columns, io::Decimals decimals,
               const std::vector<Input>& inputs, const SeparationOption& separation,
-              SeparationsOfFile separations_of_file, std::size_t chunk_bytes);
+              SeparationsOfFile separations_of_file, MissingClaim missing, std::size_t chunk_bytes);
 
-  /// What the claims that were read leave out, for the verdict's line: "no times", "times for 1 of 5 contacts", "not
-  /// read: 'ns'"; empty when nothing is.
+  /// What the claims that were read leave out, for the verdict's line: "no times", "times for 1 of 5 contacts", "no
+  /// contact at 3 queries without a claim", "not read: 'ns'"; empty when nothing is.
   std::string left_out() const;
 
-  /// Appends the claims about the queries of `item`. @throws FileError at the first that is missing, another query's,
-  /// or about another separation
+  /// Appends the claims about the queries of `item`. @throws FileError at the first that is missing, the second about a
+  /// query, or about another separation
   void read(const QueryItem& item, std::vector<StatedClaim>& claims);
 
   /// To be called when there are no more queries. @throws FileError when there are more claims
   void finish();
 
  private:
+  /// The query that a claim is about: the index of its file, and its number there.
+  using Subject = std::pair<std::size_t, std::uint64_t>;
+
+  struct ReadClaim {
+    StatedClaim stated;
+    std::uint64_t row = 0;  ///< 0: none is said
+  };
+
   bool next(io::AnswerRow& row);
-  void check_file(const io::AnswerRow& row, const Input& input);
+  Subject subject_of(const io::AnswerRow& row, Subject expected);
+  std::size_t file_of(const io::AnswerRow& row, std::size_t expected);
+  ReadClaim claim_about(Subject subject);
+  ReadClaim missing_claim(Subject subject);
+  ReadClaim count(const io::AnswerRow& row);
+  void refuse_second(std::uint64_t row, Subject subject) const;
+  std::string name_of_query(Subject subject) const;
 
   Separation separation_of(const io::AnswerRow& row) const;
-  void check_one_separation(const Separation& separation, std::uint64_t row, std::uint64_t query, const Input& input);
+  void check_one_separation(const ReadClaim& claim, Subject subject);
   [[noreturn]] void refuse(std::uint64_t row, const std::string& reason) const;
 
   std::string name_;
@@ -64,13 +101,18 @@ class ClaimStream {
   const std::vector<Input>& inputs_;
   const SeparationOption& separation_;
   SeparationsOfFile separations_of_file_;
+  MissingClaim missing_;
   Separation file_separation_;  ///< of the first claim about the present query file
   std::optional<io::AnswerReader> reader_;
-  ListedClaims listed_;     ///< without a reader
-  std::string known_file_;  ///< the last name that was compared, and found to be that of known_input_
-  std::size_t known_input_ = 0;
-  bool has_known_file_ = false;
+  ListedClaims listed_;                  ///< without a reader
+  std::vector<std::string> paths_;       ///< of the inputs, without . and ..
+  std::string known_file_, known_path_;  ///< the last name that a row had, and its path
+  std::map<Subject, ReadClaim> held_;    ///< the claims about later queries than those before them in the file
+  std::vector<std::uint64_t> queries_;   ///< of each input, so far
+  bool has_numbers_ = false;             ///< of queries
+  Questions questions_;                  ///< of all claims that were read
   std::uint64_t claims_ = 0, contacts_ = 0, times_ = 0;  ///< read so far; contacts with a time
+  std::uint64_t without_claim_ = 0;
 };
 
 }  // namespace touchstone::cli

@@ -217,7 +217,10 @@ ListedClaims claims_of_npy(const std::string& path, std::string_view content, io
   const Array array(path, content);
   if (names.empty() && array.columns() == 1) names = {ClaimColumn::contact};
   if (names.empty() && array.columns() == 3) names = {ClaimColumn::query, ClaimColumn::contact, ClaimColumn::toi};
-  if (names.empty() || names.size() != array.columns()) {
+  if (!names.empty() && names.size() != array.columns()) {
+    io::fail(path, "has " + io::fault_of_column_count(array.columns(), names));
+  }
+  if (names.empty()) {
     io::fail(path, fmt::format("has {} columns; --columns says what they are, for example --columns contact,toi",
                                array.columns()));
   }

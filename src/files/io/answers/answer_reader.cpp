@@ -116,9 +116,7 @@ void AnswerReader::read_header(const ClaimColumns& columns) {
   if (!next_record()) fail(name(), "is empty; its first line may name the columns, for example query,contact,toi");
   column_count_ = fields_.size();
   if (!columns.empty()) {
-    if (columns.size() != fields_.size()) {
-      refuse(count(fields_.size(), "column") + " where --columns has " + std::to_string(columns.size()));
-    }
+    if (columns.size() != fields_.size()) refuse(fault_of_column_count(fields_.size(), columns));
     take(columns);
     has_row_ = parse_truth(field(ClaimColumn::contact)).has_value();  // else the line names the columns
     return;
@@ -176,9 +174,9 @@ bool AnswerReader::next_record() {
     if (record.ends_with('\r')) record.remove_suffix(1);
     line_ += 1 + static_cast<std::uint64_t>(std::count(record.begin(), record.end(), '\n'));
     at_ = std::min(end + 1, buffer_.size());
-    if (!separator_) separator_ = claim_column(record) ? ',' : separator_of(record);  // "is colliding" is one name
     if (record.empty()) continue;
     if (record.find('\0') != std::string_view::npos) refuse("a zero byte; this is no text file");
+    if (!separator_) separator_ = claim_column(record) ? ',' : separator_of(record);  // "is colliding" is one name
     split_record(record);
     last_row_ = record_row_;
     return true;
@@ -212,10 +210,10 @@ bool AnswerReader::find_record_end(std::size_t& end) {
 
 void AnswerReader::split_record(std::string_view record) {
   fields_.clear();
-  const std::string_view padding = padding_beside(*separator_);
-  if (separator_ == ' ') record = without_blanks(record);
   unquoted_.clear();
   unquoted_.reserve(static_cast<std::size_t>(std::count(record.begin(), record.end(), '"')));  // keeps views valid
+  const std::string_view padding = padding_beside(*separator_);
+  if (separator_ == ' ') record = without_blanks(record);
   for (std::size_t at = 0;; ++at) {
     const std::size_t begin = record.find_first_not_of(padding, at);
     if (begin != std::string_view::npos && record[begin] == '"') {
@@ -237,9 +235,9 @@ void AnswerReader::split_record(std::string_view record) {
       if (text.find('"') != std::string_view::npos) refuse("a quote inside a field that does not start with one");
       fields_.push_back(text);
       at = end;
-    if (separator_ == ' ') at = record.find_first_not_of(' ', at) - 1;  // however many blanks
     }
     if (at == record.size()) return;
+    if (separator_ == ' ') at = record.find_first_not_of(' ', at) - 1;  // however many blanks
   }
 }
 

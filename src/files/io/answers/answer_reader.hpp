@@ -50,6 +50,8 @@ class AnswerReader {
 
   const std::string& name() const noexcept { return file_.name(); }
 
+  bool has_query_column() const noexcept { return has(ClaimColumn::query); }
+
   /// The names of columns that are not read and that answers.csv has not either.
   const std::vector<std::string>& unread_columns() const noexcept { return unread_columns_; }
 
@@ -82,9 +84,9 @@ class AnswerReader {
   std::uint64_t line_ = 1;        ///< the line number of at_
   std::uint64_t record_row_ = 0;  ///< where the record that is being read starts
   std::uint64_t last_row_ = 0;
+  std::optional<char> separator_;  ///< of the first record
 
   std::vector<std::string> unquoted_;     ///< what quoted fields of the current record stand for
-  std::optional<char> separator_;  ///< of the first record
   std::vector<std::string_view> fields_;  ///< of the current record
   bool has_row_ = false;                  ///< whether fields_ is a row that next() has not told yet
   std::size_t column_count_ = 0;

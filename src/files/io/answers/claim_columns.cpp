@@ -6,9 +6,10 @@
 #include <touchstone/error.hpp>
 
 #include "io/characters.hpp"
+#include "io/counted.hpp"
 #include "io/fail.hpp"
-
 #include "io/times.hpp"
+
 namespace touchstone::io {
 namespace {
 
@@ -99,10 +100,10 @@ std::optional<bool> parse_truth(std::string_view text) {
   if (const auto number = parse_finite_double(text)) {
     return *number == 0 || *number == 1 ? std::optional(*number == 1) : std::nullopt;
   }
-  return std::nullopt;
   const std::string lower = in_lower_case(text);
   if (lower == "true" || lower == "yes") return true;
   if (lower == "false" || lower == "no") return false;
+  return std::nullopt;
 }
 
 }  // namespace touchstone::io

@@ -36,6 +36,9 @@ std::string claim_column_names();
 /// @throws Error  for any other name, a name that is there twice, and without a column of contact
 ClaimColumns parse_claim_columns(std::string_view text);
 
+/// Why `count` columns are not those that --columns names, for messages: "4 columns where --columns names 2: ...".
+std::string fault_of_column_count(std::size_t count, const ClaimColumns& columns);
+
 /// In lower case: ASCII alone.
 std::string in_lower_case(std::string_view text);
 
