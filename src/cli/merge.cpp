@@ -53,9 +53,11 @@ void add_merge(CLI::App& program, Command& command) {
       ->type_name("");
   subcommand->add_option("--out", options->out, "The report of the whole sequence; - writes it to standard output")
       ->required()
-      ->type_name("FILE");
+      ->type_name("FILE")
+      ->check(named_as("JSON", {".json"}));
   subcommand->add_option("--pairs", options->pairs, "Write a table (CSV) with a row for each pair in contact")
-      ->type_name("FILE");
+      ->type_name("FILE")
+      ->check(named_as("CSV", {".csv"}));
   add_numbers_option(*subcommand, options->numbers);
   subcommand->get_option("--numbers")->needs("--pairs");
   subcommand->footer(

@@ -84,7 +84,8 @@ void add_prove(CLI::App& program, Command& command) {
   add_kind_option(*subcommand, options->kind);
   add_separation_options(*subcommand, options->separation, "The distance at which two elements are in contact");
   subcommand->add_option("--out", options->out, "The file for the proofs (default: standard output)")
-      ->type_name("FILE");
+      ->type_name("FILE")
+      ->check(named_as("text", {".txt"}));
   subcommand->add_option("--threads", options->threads, "The number of threads (default: all that the machine has)")
       ->type_name("N")
       ->check([](const std::string& text) { return check_whole_number(text, 1, 1024); });

@@ -7,6 +7,8 @@
 #include <array>
 #include <memory>
 
+#include <touchstone/error.hpp>
+
 #include "cli/shared/command_line/turns.hpp"
 #include "cli/shared/inputs.hpp"
 #include "cli/shared/progress/pipeline.hpp"
@@ -51,6 +53,9 @@ void solve_queries(SolveItem& item, const std::vector<Input>& inputs, const Solv
 int run_solve(const SolveCommandOptions& options) {
   const std::vector<Input> inputs = find_inputs(options.files, options.kind, options.decimals);
   refuse_to_overwrite(options.out, options.files);
+  const std::string fault = options.json ? fault_of_name(options.out, "lines of JSON", {".jsonl", ".json"})
+                                         : fault_of_name(options.out, "CSV", {".csv"});
+  if (!fault.empty()) throw Error("--out: " + fault + (options.json ? "" : "; --json writes lines of JSON"));
   const bool to_standard_output = options.out == "-";
   io::OutputFile out = to_standard_output ? io::OutputFile::standard_output() : io::OutputFile(options.out);
 

@@ -270,6 +270,32 @@ TEST_CASE("a file in the working folder is of that folder's kind") {
   CHECK(run_program({"certify", "a.csv"}, options).status == 0);
 }
 
+TEST_CASE("an output whose name has the ending of another format is refused, with a name that is right") {
+  const TemporaryFolder folder;
+  const std::string file = folder.write("point-point/a.csv", two_point_queries());
+  const auto refused = [&](const std::vector<std::string>& arguments, const std::string& name,
+                           const std::string& right) {
+    std::vector<std::string> words = arguments;
+    words.insert(words.end(), {folder.path(name), file});
+    check_refused(words, folder.path(name) + " has the ending of another format; what is written is " + right);
+    CHECK_FALSE(std::filesystem::exists(folder.path(name)));
+  };
+  const std::string page = "a page, HTML with pictures (SVG) in it: name it " + folder.path("picture.html");
+  refused({"view", "--query", "0", "--out"}, "picture.png", page);
+  refused({"explain", "--query", "0", "--html"}, "picture.SVG", page);
+  refused({"mesh", "--html"}, "picture.pdf", page);
+  refused({"solve", "--out"}, "a.json", "CSV: name it " + folder.path("a.csv") + "; --json writes lines of JSON");
+  refused({"solve", "--out"}, "a.csv.gz", "CSV: name it " + folder.path("a.csv") + "; --json");
+  refused({"solve", "--json", "--out"}, "a.csv", "lines of JSON: name it " + folder.path("a.jsonl"));
+  refused({"certify", "--report"}, "r.html", "JSON: name it " + folder.path("r.json"));
+  refused({"prove", "--out"}, "p.npz", "text: name it " + folder.path("p.txt"));
+  for (const char* const name : {"a.csv", "a.txt", "a", "a.1", "a.CSV"}) {
+    CHECK(run_program({"solve", "--out", folder.path(name), file}).status == 0);
+  }
+  CHECK(run_program({"solve", "--json", "--out", folder.path("a.json"), file}).status == 0);
+  CHECK(run_program({"view", "--query", "0", "--out", folder.path("a.htm"), file}).status == 0);
+}
+
 TEST_CASE("an output that cannot be written ends with status 2") {
   const TemporaryFolder folder;
   const std::string file = folder.write("point-point/a.csv", two_point_queries());
@@ -310,8 +336,9 @@ TEST_CASE("an output that cannot be written ends with status 2") {
   }
   SECTION("a file that is read") {
     check_refused({"solve", "--out", file, file}, ": is also an input");
-    check_refused({"certify", "--report", file, file}, ": is also an input");
-    const std::string claims = folder.write("claims.csv", "query,contact\n0,1\n1,0\n");
+    const std::string plain = folder.write("point-point/a", two_point_queries());
+    check_refused({"certify", "--report", plain, plain}, ": is also an input");
+    const std::string claims = folder.write("claims.json", "[true, false]");
     check_refused({"certify", "--claims", claims, "--report", claims, file}, ": is also an input");
     CHECK(folder.read("point-point/a.csv") == two_point_queries());
   }

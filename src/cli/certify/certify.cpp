@@ -360,7 +360,7 @@ void add_certify(CLI::App& program, Command& command) {
           "--report", options->report,
           "Write a JSON report that lists every refuted claim; - writes it to standard output instead of the summary")
       ->type_name("FILE")
-      ->check(not_empty);
+      ->check(named_as("JSON", {".json"}));
   subcommand
       ->add_option(
           "--proofs", options->proofs,
@@ -368,7 +368,7 @@ void add_certify(CLI::App& program, Command& command) {
           "check what the verdicts rest on; - writes them to standard output instead of the summary. The "
           "claims about a query file must then be about one separation")
       ->type_name("FILE")
-      ->check(not_empty);
+      ->check(named_as("text", {".txt"}));
   subcommand->footer(
       "A claim is missed (contact denied, but there is one), phantom (contact claimed, but there is none), late (its "
       "toi\n"

@@ -78,7 +78,7 @@ void add_explain(CLI::App& program, Command& command) {
   add_one_query_options(*subcommand, options->query);
   subcommand->add_option("--html", options->html, "Also write a page with a picture of the query, as view does")
       ->type_name("PAGE.html")
-      ->check(not_empty);
+      ->check(page_name());
   subcommand->footer(
       "Shows the corners as given and as doubles, the coplanarity cubic's exact coefficients, each time at which "
       "contact\n"
@@ -94,7 +94,7 @@ void add_view(CLI::App& program, Command& command) {
   subcommand->add_option("--out", options->out, "The page to write (-: standard output)")
       ->required()
       ->type_name("PAGE.html")
-      ->check(not_empty);
+      ->check(page_name());
   subcommand->footer(
       "The page is one HTML file that needs no network. It shows the two elements, their paths, a slider of time with\n"
       "the roots of V and the contact, the separating plane of the proof, and what explain tells. Its zoom goes down "

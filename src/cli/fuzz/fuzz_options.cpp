@@ -221,7 +221,7 @@ void add_fuzz(CLI::App& program, Command& command) {
       ->type_name("FOLDER");
   subcommand->add_option("--html", options->html, "A page with a moving picture of each finding")
       ->type_name("PAGE.html")
-      ->check(not_empty);
+      ->check(page_name());
   subcommand
       ->add_option("--findings", options->settings.most_findings,
                    "The most findings to shrink and show; 0: all (default: 32)")

@@ -119,7 +119,8 @@ void add_mesh(CLI::App& program, Command& command) {
           ->add_option("--report", options->report,
                        "Write a JSON report with a result for every step; - writes it to standard output instead of "
                        "the summary")
-          ->type_name("FILE");
+          ->type_name("FILE")
+          ->check(named_as("JSON", {".json"}));
   subcommand
       ->add_flag("--resume", options->resume,
                  "Go on with the run that was to write this report and was stopped. Its finished steps are in "
@@ -140,7 +141,8 @@ void add_mesh(CLI::App& program, Command& command) {
       ->add_option(
           "--html", options->html,
           "Write a page with the animation, its contacts and its intersections. It is one file, for any browser")
-      ->type_name("PAGE.html");
+      ->type_name("PAGE.html")
+      ->check(page_name());
   subcommand
       ->add_option("--prove", options->prove,
                    "Write the frames' positions as FOLDER/motion.txt and a proof for each pair of each step as "
@@ -154,7 +156,8 @@ void add_mesh(CLI::App& program, Command& command) {
   subcommand
       ->add_option("--topology", options->topology,
                    "The file with the elements of the mesh, for frames that hold positions only")
-      ->type_name("FILE");
+      ->type_name("FILE")
+      ->check(named_as("CSV", {".csv"}));
   CLI::Option* const velocity =
       subcommand
           ->add_option("--velocity", options->velocity,
@@ -177,7 +180,7 @@ void add_mesh(CLI::App& program, Command& command) {
   subcommand->add_option("--dataset", options->dataset, "The name of the data set in HDF5 files")->type_name("NAME");
   subcommand->add_flag("--triangulate", options->triangulate,
                        "Cut polygons of more than three corners into triangles that share the first corner");
-  for (const char* name : {"--report", "--pairs", "--queries", "--html", "--prove", "--topology", "--velocity"}) {
+  for (const char* name : {"--queries", "--prove", "--topology", "--velocity"}) {
     subcommand->get_option(name)->check(not_empty);
   }
   subcommand->footer(

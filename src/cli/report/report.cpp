@@ -191,7 +191,7 @@ void add_report(CLI::App& program, Command& command) {
       ->add_option("--html", options->html,
                    "Write a page with the error against the run time, and tables that sort. It is one file")
       ->type_name("PAGE.html")
-      ->check(not_empty);
+      ->check(page_name());
   subcommand->add_flag("--quick", options->size.quick, "A few queries of each set: some seconds, and rough numbers");
   add_seed_option(*subcommand, options->size.seed);
   add_separation_options(*subcommand, options->separation,

@@ -5,6 +5,7 @@
 #include <limits>
 #include <memory>
 
+#include "cli/shared/command_line/common_options.hpp"
 #include "cli/simulate/simulate.hpp"
 #include "scene/shipped_scenes.hpp"
 
@@ -61,7 +62,8 @@ void add_simulate(CLI::App& program, Command& command) {
   subcommand
       ->add_option("--html", options->html,
                    "Write a page with the animation, its contacts and its energies. It is one file, for any browser")
-      ->type_name("PAGE.html");
+      ->type_name("PAGE.html")
+      ->check(page_name());
   subcommand->add_option("--proof", options->proof, "Write a table with the proof of each step")->type_name("FILE");
   subcommand
       ->add_option("--prove", options->prove,
@@ -105,8 +107,8 @@ void add_simulate(CLI::App& program, Command& command) {
     subcommand->get_option("--resume")->excludes(subcommand->get_option(of_scene));
   }
   subcommand->get_option("--frame-every")->needs(subcommand->get_option("--out"));
-  for (const char* path : {"--out", "--html", "--proof", "--prove", "--energies", "--queries", "--checkpoint",
-                           "--resume", "--scene-out"}) {
+  for (const char* path :
+       {"--out", "--proof", "--prove", "--energies", "--queries", "--checkpoint", "--resume", "--scene-out"}) {
     subcommand->get_option(path)->check(
         [](const std::string& name) { return name.empty() ? std::string("the name is empty") : std::string(); });
   }
