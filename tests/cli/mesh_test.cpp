@@ -202,7 +202,42 @@ TEST_CASE("a step ends where velocities lead, and the verdict says so") {
   check_refused(mesh({frame, "--velocity", velocity, "--dt", "2", "--report", folder.path("r.json"), "--resume"}),
                 "is about velocities and dt = 1, and this run about velocities and dt = 2");
   check_refused(mesh({frame, "--velocity", velocity}), "--velocity requires --dt");
-  check_refused(mesh({frame, "--velocity", velocity, "--dt", "x"}), "--dt: x is no finite number");
+  check_refused(mesh({frame, "--velocity", velocity, "--dt", "x"}),
+                "--dt: x is no finite number; right is, for example");
+  // A fraction is the double that is nearest to it, and velocities may be text.
+  const auto dt_of = [&](const std::string& file, const std::string& dt) {
+    CHECK(mesh({frame, "--velocity", file, "--dt", dt, "--report", folder.path("dt.json")}).status < 2);
+    const std::string report = folder.read("dt.json");
+    const std::size_t at = report.find("\"dt\"");
+    return report.substr(at, report.find('\n', at) - at);
+  };
+  CHECK(dt_of(velocity, "1/60") == "\"dt\": \"" + io::hexfloat(1.0 / 60) + "\",");
+  CHECK(dt_of(velocity, "0.5/0x1p2") == "\"dt\": \"0x1p-3\",");
+  check_refused(mesh({frame, "--velocity", velocity, "--dt", "1/0"}), "--dt: 1/0 is no finite number");
+  check_refused(mesh({frame, "--velocity", velocity, "--dt", "1/59.94"}),
+                "--dt: 1/59.94 has '59.94', which is no double");
+  check_refused(mesh({frame, "--velocity", velocity, "--dt", "1/60/2"}), "--dt: 1/60/2 has '60/2', which is no double");
+  for (const auto& [name, content] : std::vector<std::pair<std::string, std::string>>{
+           {"v.csv", "vx,vy,vz\n0,0,0\n0,0,0\n0,0,0\n0,0,-2\n"},
+           {"w.csv", "x;y;z\r\n0;0;0\r\n0;0;0\r\n0;0;0\r\n0;0;-2"},
+           {"v.txt", "# numpy.savetxt\n0.0e+00 0.0e+00 0\n0 0 0\n\n0 0 0\n0 0 -2.000000000000000000e+00\n"}}) {
+    const std::string text_file = folder.write(name, content);
+    const Run of_text = mesh({frame, "--velocity", text_file, "--dt", "1", "--report", folder.path("text.json")});
+    CAPTURE(of_text.out, of_text.err);
+    CHECK(of_text.status == 1);
+    CHECK(occurrences(of_text.out, "first contact at t = 0x1p-1 (0.5), 1 pair") == 1);
+  }
+  for (const auto& [content, message] : std::vector<std::pair<std::string, std::string>>{
+           {"", "x.csv: holds no row x,y,z"},
+           {"0,0,0\n0,0\n", "x.csv:2: 2 columns; each row is x,y,z of a vertex, or x,y in the plane"},
+           {"0,0,x\n", "x.csv:1: z is 'x', which is no finite number"},
+           {"0;0,5;1\n", "x.csv:1: column 2 is '0,5'; a number has a point, such as 0.5, and no comma"},
+           {"z,y,x\n0,0,0\n", "x.csv:1: column 1 is called 'z'; the columns are x, y and z"},
+           {"0,0,0\n", "x.csv: has 1 velocities of 3 coordinates; the frame has 4 vertices of 3"}}) {
+    const Run refused = mesh({frame, "--velocity", folder.write("x.csv", content), "--dt", "1"});
+    CHECK(refused.status == 2);
+    CHECK(refused.err.ends_with(message + "\n"));
+  }
   check_refused(mesh({frame, "--velocity", velocity, "--dt", "1", "--check"}), "--check");
   check_refused(mesh({frame, folder.write("b.obj", text), "--in-order", "--velocity", velocity, "--dt", "1"}),
                 "goes from one frame, and there are 2");

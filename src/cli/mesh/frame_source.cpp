@@ -51,9 +51,13 @@ std::vector<FrameName> frames_to_check(const MeshRunOptions& options, const fram
     }
     const auto format = frames::known_format_of(options.velocity);
     if (format && *format < frames::Format::npy) {
-      io::fail(options.velocity, "is a mesh, whose positions are no velocities; --velocity takes an array");
+      io::fail(options.velocity,
+               "is a mesh, whose positions are no velocities; --velocity takes an array, or text (.csv, .txt) with a "
+               "row x,y,z for each vertex");
     }
-    if (const std::size_t count = frames::frame_count(options.velocity, array_options(reading)); count != 1) {
+    const bool is_text = frames::has_text_rows(options.velocity);
+    const std::size_t count = is_text ? 1 : frames::frame_count(options.velocity, array_options(reading));
+    if (count != 1) {
       io::fail(options.velocity, fmt::format("has {} frames; velocities are those of one step", grouped(count)));
     }
     names.push_back({options.velocity});
@@ -69,7 +73,9 @@ std::vector<FrameName> frames_to_check(const MeshRunOptions& options, const fram
 /// The frame after the time dt: each coordinate is rounded once.
 std::shared_ptr<const Frame> moved(const Frame& start, const FrameName& velocities, double dt,
                                    const frames::ReadOptions& reading, const sequence::Repairs& repairs) {
-  const Frame velocity = frames::read_frame(velocities.file, 0, array_options(reading));
+  const Frame velocity = frames::has_text_rows(velocities.file)
+                             ? frames::read_text_frame(velocities.file, array_options(reading))
+                             : frames::read_frame(velocities.file, 0, array_options(reading));
   const std::size_t vertices = start.topology->vertex_count;
   if (velocity.topology->vertex_count != vertices || velocity.topology->dimension != start.topology->dimension) {
     io::fail(velocities.file, fmt::format("has {} velocities of {} coordinates; the frame has {} vertices of {}",

@@ -2,12 +2,15 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <cmath>
 #include <memory>
 
 #include "cli/mesh/mesh.hpp"
 #include "cli/shared/command_line/common_options.hpp"
 #include "cli/shared/words.hpp"
+#include "io/fail.hpp"
 #include "io/times.hpp"
+#include "numbers/written_number.hpp"
 
 namespace touchstone::cli {
 namespace {
@@ -20,6 +23,28 @@ std::optional<sequence::Shard> shard_from(const std::string& text) {
   if (!check_whole_number(count, 1).empty()) return std::nullopt;
   if (!check_whole_number(number, 1, std::stoull(count)).empty()) return std::nullopt;
   return sequence::Shard{std::stoull(number), std::stoull(count)};
+}
+
+/// A decimal or a hexfloat, or one over another: 1/60 is the double that is nearest to it.
+/// @returns nothing, and the fault, for other texts
+std::optional<double> time_step_from(const std::string& text, std::string& fault) {
+  const std::size_t slash = text.find('/');
+  if (slash == std::string::npos) {
+    const auto value = io::parse_finite_double(text);
+    if (!value) fault = text + fault_of_number(text) + "; right is, for example, 0.01 or 1/60";
+    return value;
+  }
+  // The quotient of two doubles is rounded once.
+  const std::string number = text.substr(0, slash), by = text.substr(slash + 1);
+  for (const std::string& each : {number, by}) {
+    if (numbers::is_exactly_a_double(each)) continue;
+    fault = text + " has " + io::in_quotes(each) + ", which is no double; a fraction has whole numbers, such as 1/60";
+    return std::nullopt;
+  }
+  const double quotient = *io::parse_finite_double(number) / *io::parse_finite_double(by);
+  if (std::isfinite(quotient)) return quotient;
+  fault = text + " is no finite number";
+  return std::nullopt;
 }
 
 }  // namespace
@@ -130,7 +155,8 @@ void add_mesh(CLI::App& program, Command& command) {
                        "Write a JSON object a line for each step or frame to standard output, with decimals, and the "
                        "verdict to standard error");
   subcommand->add_option("--pairs", options->pairs, "Write a table (CSV) with a row for each pair in contact")
-      ->type_name("FILE");
+      ->type_name("FILE")
+      ->check(named_as("CSV", {".csv"}));
   add_numbers_option(*subcommand, options->numbers);
   subcommand->get_option("--numbers")->needs("--pairs");
   subcommand
@@ -156,26 +182,31 @@ void add_mesh(CLI::App& program, Command& command) {
   subcommand
       ->add_option("--topology", options->topology,
                    "The file with the elements of the mesh, for frames that hold positions only")
-      ->type_name("FILE")
-      ->check(named_as("CSV", {".csv"}));
+      ->type_name("FILE");
   CLI::Option* const velocity =
       subcommand
           ->add_option("--velocity", options->velocity,
-                       "An array of the vertices' velocities, (vertices, 3): the step goes from the one FRAME to its "
-                       "positions and DT times the velocities, rounded to doubles")
+                       "An array of the vertices' velocities, (vertices, 3), or text (.csv, .txt) with a row x,y,z "
+                       "for each: the step goes from the one FRAME to its positions and DT times the velocities, "
+                       "rounded to doubles")
           ->type_name("FILE")
           ->excludes(check)
           ->excludes("--parts");
-  CLI::Option* const dt =
-      subcommand
-          ->add_option_function<std::string>(
-              "--dt", [options](const std::string& text) { options->dt = *io::parse_finite_double(text); },
-              "The time of that step")
-          ->type_name("DT")
-          ->needs(velocity)
-          ->check([](const std::string& text) {
-            return io::parse_finite_double(text) ? std::string() : text + fault_of_number(text);
-          });
+  CLI::Option* const dt = subcommand
+                              ->add_option_function<std::string>(
+                                  "--dt",
+                                  [options](const std::string& text) {
+                                    std::string no_fault;
+                                    options->dt = time_step_from(text, no_fault).value_or(0);
+                                  },
+                                  "The time of that step, a number or a fraction such as 1/60, rounded to a double")
+                              ->type_name("DT")
+                              ->needs(velocity)
+                              ->check([](const std::string& text) {
+                                std::string fault;
+                                time_step_from(text, fault);
+                                return fault;
+                              });
   velocity->needs(dt);
   subcommand->add_option("--dataset", options->dataset, "The name of the data set in HDF5 files")->type_name("NAME");
   subcommand->add_flag("--triangulate", options->triangulate,

@@ -45,6 +45,8 @@ std::optional<Format> known_format_of(const std::string& file) {
   return std::nullopt;
 }
 
+bool has_text_rows(const std::string& file) { return ends_with(file, ".csv") || ends_with(file, ".txt"); }
+
 Format format_of(const std::string& file) {
   if (const auto format = known_format_of(file)) return *format;
   for (const std::string_view ending : {".abc", ".blend", ".dae", ".fbx", ".usd", ".usda", ".usdc", ".usdz"}) {

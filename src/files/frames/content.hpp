@@ -32,7 +32,11 @@ enum class Format : std::uint8_t { obj, ply, stl, vtk, vtk_xml, off, msh, gltf, 
 /// The format that the ending of the name says, in upper or lower case; nothing for other endings.
 std::optional<Format> known_format_of(const std::string& file);
 
-/// The same. @throws FileError  for other endings
+/// Whether the name says that the file is text with a row for each vertex: .csv and .txt. Other files beside frames
+/// have such names, too, so that these are no endings of frames.
+bool has_text_rows(const std::string& file);
+
+/// The same as known_format_of(). @throws FileError  for other endings
 Format format_of(const std::string& file);
 
 }  // namespace touchstone::frames

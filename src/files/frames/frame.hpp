@@ -81,6 +81,11 @@ struct ReadOptions {
 /// @throws FileError  "FILE: reason" or "FILE:LINE: reason"
 std::size_t frame_count(const std::string& file, const ReadOptions& options);
 
+/// Reads a text file with a row x,y,z for each vertex, whatever its name is: decimals, rounded to the nearest
+/// doubles, or hexfloats, with separators as in io/separators.hpp. A first line may name the columns.
+/// @throws FileError
+Frame read_text_frame(const std::string& file, const ReadOptions& options);
+
 /// Reads a frame. Several threads may read at the same time. The name's ending says the format: .obj, .ply, .stl, .vtk,
 /// .vtu, .vtp, .off, .msh, .gltf, .glb, .npy, .h5, .hdf5, .pc2 and .mdd.
 /// @param file     the file

@@ -126,6 +126,10 @@ std::size_t frame_count(const std::string& file, const ReadOptions& options) {
   return 1;
 }
 
+Frame read_text_frame(const std::string& file, const ReadOptions& options) {
+  return frame_of(file, 0, read_text_rows(file, options), options);
+}
+
 Frame read_frame(const std::string& file, std::size_t index, const ReadOptions& options,
                  const std::shared_ptr<const Topology>& earlier) {
   const Format format = format_of(file);

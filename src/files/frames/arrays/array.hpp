@@ -41,6 +41,9 @@ struct IndexRows {
 /// @param content  the bytes of the file
 IndexRows read_npy_indices(std::string_view file, std::string_view content);
 
+/// Text with a row x,y,z for each vertex, or x,y: one frame.
+ArrayFrame read_text_rows(const std::string& file, const ReadOptions& options);
+
 /// A PC2 or MDD file, which has floats.
 enum class PointCache : std::uint8_t { pc2, mdd };
 ArrayShape cache_shape(const std::string& file, PointCache sort, const ReadOptions& options);
