@@ -185,7 +185,7 @@ TEST_CASE("files that cannot be opened are refused, in one line") {
                          return message_of(e) == missing + ": cannot be opened: No such file or directory";
                        }));
   CHECK_THROWS_AS(io::InputFile::check(missing), FileError);
-  const std::string is_folder = folder.path("") + ": is a folder; name the files in it";
+  const std::string is_folder = folder.path("") + ": is a folder; name the files in it: " + folder.path("*");
   for (const auto& attempt : {+[](const std::string& path) { io::InputFile::open(path); },
                               +[](const std::string& path) { io::InputFile::check(path); }}) {
     CHECK_THROWS_MATCHES(

@@ -18,7 +18,8 @@ namespace touchstone::io {
 namespace {
 
 void refuse_folder(const std::string& path, const struct stat& status) {
-  if (S_ISDIR(status.st_mode)) fail(path, "is a folder; name the files in it");
+  if (S_ISDIR(status.st_mode))
+    fail(path, "is a folder; name the files in it: " + printable(path + (path.ends_with('/') ? "*" : "/*")));
 }
 
 }  // namespace
