@@ -29,7 +29,7 @@ std::string quoted(const std::string& text) {
   return "\"" + all.substr(0, all.size() - 1);
 }
 
-ReadFile read(const std::string& text, io::Motions motions = io::Motions::straight) {
+ReadFile read_all(const std::string& text, io::Motions motions = io::Motions::straight) {
   const ReadFile whole = read_queries(text, Kind::point_point, io::kChunkBytes, motions);
   const ReadFile pieces = read_queries(text, Kind::point_point, 1, motions);
   CHECK(pieces.error == whole.error);
@@ -59,7 +59,7 @@ TEST_CASE("queries are the same whatever stands between their numbers, and in qu
       "touchstone-curved,1\nquery,1\ncurve,1,2,3\ncurve,1,2,3,4,5,6\n",
   };
   for (const std::string& text : files) {
-    const ReadFile expected = read(text, io::Motions::any);
+    const ReadFile expected = read_all(text, io::Motions::any);
     CAPTURE(text);
     REQUIRE(expected.error == "");
     std::string windows = with(text, ";");
@@ -68,7 +68,7 @@ TEST_CASE("queries are the same whatever stands between their numbers, and in qu
          {with(text, ";"), with(text, "\t"), with(text, " "), with(text, "   "), with(text, " ;\t"), windows,
           quoted(text), with(quoted(text), ";"), with(quoted(text), "\t"), with(quoted(text), "  ")}) {
       CAPTURE(same_file);
-      const ReadFile file = read(same_file, io::Motions::any);
+      const ReadFile file = read_all(same_file, io::Motions::any);
       REQUIRE(file.error == "");
       REQUIRE(file.queries.size() == expected.queries.size());
       for (std::size_t i = 0; i < file.queries.size(); ++i) {
@@ -87,22 +87,21 @@ TEST_CASE("queries are the same whatever stands between their numbers, and in qu
     }
   }
   // pandas quotes the names alone, with csv.QUOTE_NONNUMERIC.
-  CHECK(read("\"x\",\"y\",\"z\"\n1,2,3\n1,2,3\n1,2,3\n1,2,3\n").queries.size() == 1);
+  CHECK(read_all("\"x\",\"y\",\"z\"\n1,2,3\n1,2,3\n1,2,3\n1,2,3\n").queries.size() == 1);
 }
 
 TEST_CASE("a decimal comma and broken quotes are named, and never read as something else") {
   const std::string comma = "; a number has a point, such as 0.5, and no comma";
-  CHECK(read("0,5;1,0;2\n").error == "q.csv:1: column 1 is '0,5'" + comma);
-  CHECK(read("1;2;3\n0;1,5;2\n").error == "q.csv:2: column 2 is '1,5'" + comma);
-  CHECK(read("\"0,5\",\"1,0\",\"2,5\"\n").error == "q.csv:1: column 1 is '0,5'" + comma);
-  CHECK(read("0,5\t1,0\t2\n").error.starts_with("q.csv:1: x is '0'") == false);
-  CHECK(read("0,5\t1,0\t2\n").error == "q.csv:1: y is '5\\t1'; it must be a number such as -0.25, 1e-3 or 0x1p-2");
-  CHECK(read("1\t\t2\t3\n").error == "q.csv:1: y is ''; it must be a number such as -0.25, 1e-3 or 0x1p-2");
-  CHECK(read("1;2;3;\n").error == "q.csv:1: truth is ''; it must be 0 or 1, true or false, or yes or no");
-  CHECK(read("\"1\",\"2,3\n").error == "q.csv:1: column 2 has a quote that is not closed");
-  CHECK(read("\"1\"2,2,3\n").error == "q.csv:1: column 1 has text after a closing quote");
-  CHECK(read("1\",2,\"3\"\n").error == "q.csv:1: column 1 has a quote, and does not start with one");
-  CHECK(read("1 2 3\n1\t2\t3\n").error == "q.csv:2: 1 column; the first row has 3 decimals, x,y,z and no truth");
+  CHECK(read_all("0,5;1,0;2\n").error == "q.csv:1: column 1 is '0,5'" + comma);
+  CHECK(read_all("1;2;3\n0;1,5;2\n").error == "q.csv:2: column 2 is '1,5'" + comma);
+  CHECK(read_all("\"0,5\",\"1,0\",\"2,5\"\n").error == "q.csv:1: column 1 is '0,5'" + comma);
+  CHECK(read_all("0,5\t1,0\t2\n").error == "q.csv:1: y is '5\\t1'; it must be a number such as -0.25, 1e-3 or 0x1p-2");
+  CHECK(read_all("1\t\t2\t3\n").error == "q.csv:1: y is ''; it must be a number such as -0.25, 1e-3 or 0x1p-2");
+  CHECK(read_all("1;2;3;\n").error == "q.csv:1: truth is ''; it must be 0 or 1, true or false, or yes or no");
+  CHECK(read_all("\"1\",\"2,3\n").error == "q.csv:1: column 2 has a quote that is not closed");
+  CHECK(read_all("\"1\"2,2,3\n").error == "q.csv:1: column 1 has text after a closing quote");
+  CHECK(read_all("1\",2,\"3\"\n").error == "q.csv:1: column 1 has a quote, and does not start with one");
+  CHECK(read_all("1 2 3\n1\t2\t3\n").error == "q.csv:2: 1 column; the first row has 3 decimals, x,y,z and no truth");
 }
 
 TEST_CASE("a truth may be a word, or 1.0 among decimals") {
@@ -113,14 +112,14 @@ TEST_CASE("a truth may be a word, or 1.0 among decimals") {
       fractions += "1,2,3,1,0,1," + word + "\n";
     }
     for (const std::string& text : {corners, fractions, whole}) {
-      const ReadFile file = read(text);
+      const ReadFile file = read_all(text);
       CAPTURE(text);
       REQUIRE(file.error == "");
       CHECK(file.queries.at(0).truth == true);
     }
   }
-  CHECK(read("1,2,3,False\n1,2,3,0\n1,2,3,0.0\n1,2,3,no\n").queries.at(0).truth == false);
-  CHECK(read("1,2,3,True\n1,2,3,False\n").error.starts_with("q.csv:2: truth is 0 here and 1 in row 1"));
+  CHECK(read_all("1,2,3,False\n1,2,3,0\n1,2,3,0.0\n1,2,3,no\n").queries.at(0).truth == false);
+  CHECK(read_all("1,2,3,True\n1,2,3,False\n").error.starts_with("q.csv:2: truth is 0 here and 1 in row 1"));
 }
 
 TEST_CASE("claims are the same whatever stands between their columns") {
