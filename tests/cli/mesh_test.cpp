@@ -324,7 +324,9 @@ TEST_CASE("frames that do not make a sequence are refused, and nothing is writte
     CHECK_FALSE(std::filesystem::exists(report));
     CHECK_FALSE(std::filesystem::exists(report + ".progress"));
   };
-  refused({files[0], files[1], files[3]}, "f-3.obj: frame 2 is missing between f-1.obj and f-3.obj");
+  refused({files[0], files[1], files[3]},
+          "f-3.obj: frame 2 is missing between f-1.obj and f-3.obj; other frames of the sequence are 1 apart. "
+          "--in-order takes the files");
   refused({files[0], files[1], folder.write("f-01.obj", "")}, "has the same number as f-1.obj");
   refused({files[0]}, "a step needs two frames, and there is only 1; --check asks about frames at rest");
   refused({folder.path("none-*.obj")}, "none-*.obj: is no file, and no file matches this pattern");
@@ -347,9 +349,9 @@ TEST_CASE("the parts of one scene in several files do not pass for its frames") 
                     rod = folder.write("rod.obj", "v 0 0 0\nv 4 0 0\nv 0 4 0\nv 0 0 4\n" + faces),
                     ring = folder.write("ring.obj", "v 1 1 -1\nv 5 1 -1\nv 1 5 -1\nv 1 1 3\n" + faces);
   const std::string which =
-      "ring.obj: the name differs from rod.obj in more than numbers. If these files are the frames of one animation, "
-      "--in-order takes them in the order given; if they are parts of one scene, --parts asks about them "
-      "together, and with --check at rest\n";
+      "ring.obj: the name differs from rod.obj in more than numbers. --in-order takes the files as the frames of one "
+      "animation in the order given, and --check --in-order asks about each by itself; --parts asks about the parts of "
+      "one scene together, and with --check at rest\n";
   check_refused(mesh({rod, ring}), which);
   check_refused(mesh({"--check", rod, ring}), which);
   CHECK(mesh({"--in-order", "--check", ring, rod}).out.starts_with("ring.obj: no intersection\nrod.obj: no "));

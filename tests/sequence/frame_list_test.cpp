@@ -20,9 +20,9 @@ namespace {
 
 using NameList = std::vector<std::string>;
 
-std::string refusal_of(const NameList& files, Gaps gaps = Gaps::refused) {
+std::string refusal_of(const NameList& files, Gaps gaps = Gaps::refused, const std::string& advice = "Ask.") {
   try {
-    static_cast<void>(in_order(files, gaps));
+    static_cast<void>(in_order(files, gaps, advice));
   } catch (const FileError& error) {
     return error.what();
   }
@@ -58,15 +58,11 @@ TEST_CASE("names that differ in several numbers are in the order of the one that
 }
 
 TEST_CASE("files of other names are frames or parts, and nothing is guessed") {
-  const std::string which =
-      ". If these files are the frames of one animation, --in-order takes them in the order given; if they are parts "
-      "of "
-      "one scene, --parts asks about them together, and with --check at rest";
   for (const Gaps gaps : {Gaps::refused, Gaps::allowed}) {
     CHECK(refusal_of({"d/gear.obj", "d/shaft.obj"}, gaps) ==
-          "d/shaft.obj: the name differs from gear.obj in more than numbers" + which);
+          "d/shaft.obj: the name differs from gear.obj in more than numbers. Ask.");
     CHECK(refusal_of({"f1.obj", "f2.obj", "g3.obj"}, gaps) ==
-          "g3.obj: the name differs from f1.obj in more than numbers" + which);
+          "g3.obj: the name differs from f1.obj in more than numbers. Ask.");
     for (const NameList& names : {NameList{"one.obj", "one.obj"}, NameList{"c-1.obj", "c-2.obj", "c-1.obj"}}) {
       CHECK(refusal_of(names, gaps) == names[0] + ": is given twice; its frames would count twice: name it once");
     }
@@ -77,7 +73,7 @@ TEST_CASE("files of other names are frames or parts, and nothing is guessed") {
     // No number is a frame's own, or two of them give different orders.
     for (const NameList& names : {NameList{"take2-f1", "take1-f2", "take1-f1"}, NameList{"b2-1", "b1-2", "b3-3"}}) {
       CHECK(refusal_of(names, gaps) == names[1] + ": the name differs from " + names[0] +
-                                           " in several numbers, which do not say the order of the frames" + which);
+                                           " in several numbers, which do not say the order of the frames. Ask.");
     }
     // More digits than a number has are text.
     CHECK_FALSE(refusal_of({"f12345678901234567892", "f12345678901234567891"}, gaps).empty());
@@ -101,12 +97,13 @@ TEST_CASE("files can be taken as given; the files of one pattern have the order 
 TEST_CASE("a number that is missing or there twice is named") {
   CHECK(refusal_of({"d/cloth-8.obj", "d/cloth-5.obj", "d/cloth-6.obj"}) ==
         "d/cloth-8.obj: frame 7 is missing between cloth-6.obj and cloth-8.obj; other frames of the sequence are 1 "
-        "apart");
+        "apart. Ask.");
   CHECK(refusal_of({"c-0", "c-10", "c-20", "c-40", "c-50"}).find("frame 30 is missing between c-20 and c-40") !=
         std::string::npos);
   CHECK(refusal_of({"c-0", "c-3", "c-5"}).find("frame 2 is missing between c-0 and c-3") != std::string::npos);
   CHECK(refusal_of({"c-1.obj", "c-01.obj"}) ==
-        "c-01.obj: has the same number as c-1.obj, and a sequence has each number once");
+        "c-01.obj: has the same number as c-1.obj, and a sequence has each number once. Ask.");
+  CHECK(refusal_of({"c-1", "c-2", "c-4"}, Gaps::refused, "").ends_with("are 1 apart"));
   CHECK(refusal_of({"c-1", "c-2", "c-4"}, Gaps::allowed).empty());
   CHECK(refusal_of({"c-1\n2", "c-1\n4", "c-1\n5"}).find('\n') == std::string::npos);
 }

@@ -31,10 +31,14 @@ frames::ReadOptions array_options(const frames::ReadOptions& reading) {
   return array;
 }
 
+constexpr const char* kAdvice =
+    "--in-order takes the files as the frames of one animation in the order given, and --check --in-order asks about "
+    "each by itself; --parts asks about the parts of one scene together, and with --check at rest";
+
 std::vector<FrameName> frames_to_check(const MeshRunOptions& options, const frames::ReadOptions& reading) {
   const auto gaps = options.check ? sequence::Gaps::allowed : sequence::Gaps::refused;
   const auto files = options.in_order ? sequence::as_given(options.files)
-                                      : sequence::in_order(sequence::expand_patterns(options.files), gaps);
+                                      : sequence::in_order(sequence::expand_patterns(options.files), gaps, kAdvice);
   auto names = sequence::frames_of(files, reading);
   // An animation may hold a frame or return to it, but not be one frame all the time.
   const bool moves = std::any_of(names.begin(), names.end(), [&](const FrameName& name) {

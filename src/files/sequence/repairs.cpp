@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "sequence/repairs.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
 #include <numeric>
@@ -142,9 +140,9 @@ void Repairs::check_welds(const Frame& frame, const FrameName& name) const {
     const auto vertex = static_cast<MeshIndex>(v);
     if (standing_for_[v] == vertex || same_position(frame, standing_for_[v], vertex)) continue;
     const std::uint64_t number = frame.topology->first_number;
-    io::fail(name.file, fmt::format("vertices {} and {} are apart in {}, and at one position in {}, where they were "
-                                    "welded; without --weld they stay two",
-                                    standing_for_[v] + number, v + number, name.label(), first_));
+    io::fail(name.file, "vertices " + std::to_string(standing_for_[v] + number) + " and " + std::to_string(v + number) +
+                            " are apart in " + name.label() + ", and at one position in " + first_ +
+                            ", where they were welded; without --weld they stay two");
   }
 }
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "frames/frame.hpp"
-#include "sequence/frame_list.hpp"
+#include "sequence/frame_name.hpp"
 
 namespace touchstone::sequence {
 
