@@ -216,8 +216,14 @@ TEST_CASE("a separation within a part leaves out its own neighbours, counts them
   const Run all = wide({});
   CHECK(all.status == 1);
   CHECK(occurrences(all.out, "pairs are in contact at the start") == 2);
+  const std::string hint =
+      "are connected by one edge: a surface is always so near itself; --self LENGTH asks such neighbours about "
+      "touching "
+      "alone, and --between-parts asks about none within a part";
+  CHECK(occurrences(all.out, hint + "\n2 steps: ") == 1);
   const Run self = wide({"--self", "1.5", "--report", folder.path("r.json")});
   CAPTURE(self.out, self.err);
+  CHECK(occurrences(self.out, "connected by one edge") == 0);
   CHECK(self.status == 1);
   // The neighbours are left out, and the ends of the strip come within the separation in the first step.
   CHECK(occurrences(self.out, "s-0.obj -> s-1.obj: first contact at t = ") == 1);

@@ -317,6 +317,7 @@ TEST_CASE("a report with a right digest and wrong content is refused by its key"
   check("\"joined_vertices\": 0", "\"joined_vertices\": -1", "mesh.joined_vertices");
   check("\"enclosed_parts\":{", "\"flat_faces\":0,\"enclosed_parts\":{", "results[0].flat_faces");
   check("\"coinciding_vertices\":5", "\"coinciding_vertices\":0", "results[0].coinciding_vertices");
+  check("\"own_neighbours_at_start\":1", "\"own_neighbours_at_start\":3", "results[5].own_neighbours_at_start");
   check("\"within\": false", "\"within\": 0", "parts.within: must be true or false");
   check("[\"c,d\", \"e\"]", "[\"c,d\"]", "parts.ignored[1]: must be two names");
   check("\"ignored\"", "\"only\"", "not as touchstone mesh writes it");

@@ -53,6 +53,7 @@ inline sequence::Report sample_report() {
   report.results[5].at_start = {
       {Kind::edge_edge, edge, edge, Nature::sustained, Feature::overlap, Feature::overlap, Trend::constant},
       {Kind::point_edge, vertex, edge, Nature::isolated, Feature::p, Feature::e, Trend::leaving}};
+  report.results[5].own_neighbours = 1;
   return report;
 }
 

@@ -16,6 +16,7 @@
 #include "mesh/coinciding.hpp"
 #include "mesh/inside_surfaces/inside.hpp"
 #include "sequence/element_names.hpp"
+#include "sequence/parts/own_neighbours.hpp"
 
 namespace touchstone::sequence {
 namespace {
@@ -291,6 +292,7 @@ Result check_step(const Mesh& mesh, const Frame& before, const Frame& after, std
   for (const MeshContact& one : contact.at_start) result.at_start.push_back(named(one, names));
   result.intersections = named(intersections(mesh, positions_of(after), options), names);
   if (!contact.at_start.empty()) result.coinciding = coinciding_vertices(mesh, positions_of(before));
+  result.own_neighbours = own_neighbours_among(mesh, contact.at_start);
   return result;
 }
 

@@ -107,6 +107,9 @@ struct Result {
   /// at exactly the position of another one.
   std::size_t coinciding = 0;
 
+  /// Of `at_start`, with a separation: the pairs about it whose elements an edge of the mesh connects.
+  std::size_t own_neighbours = 0;
+
   /// Of a frame at rest. A free frame may have some.
   EnclosedCounts enclosed;
   std::size_t flat = 0;     ///< flat_faces
@@ -268,6 +271,7 @@ struct ResultCounts {
   std::size_t turning = 0;            ///< the greatest of Result::turning
   std::size_t without_inside = 0;     ///< the greatest of Result::without_inside
   std::size_t coinciding = 0;         ///< the greatest of Result::coinciding
+  std::size_t own_neighbours = 0;     ///< the greatest of Result::own_neighbours
   std::optional<LeastDistance> least_distance;  ///< of Result::clearance; nothing where it was not asked for
   bool ends_intersecting = false;  ///< whether the frame at the end of the last result is known to intersect itself
 
@@ -280,6 +284,7 @@ struct ResultCounts {
     turning = result.turning > turning ? result.turning : turning;
     without_inside = result.without_inside > without_inside ? result.without_inside : without_inside;
     coinciding = result.coinciding > coinciding ? result.coinciding : coinciding;
+    own_neighbours = result.own_neighbours > own_neighbours ? result.own_neighbours : own_neighbours;
     if (result.classes) {
       for (const PartRelation& one : *result.classes) ++classes[static_cast<std::size_t>(one.sort)];
     }

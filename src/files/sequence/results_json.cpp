@@ -182,6 +182,7 @@ std::string members_json(std::string text, const Result& result, io::Numbers for
   }
   text += ",\"intersections\":" + list_json(result.intersections);
   if (result.coinciding > 0) text += fmt::format(",\"coinciding_vertices\":{}", result.coinciding);
+  if (result.own_neighbours > 0) text += fmt::format(",\"own_neighbours_at_start\":{}", result.own_neighbours);
   return text + "}";
 }
 
@@ -231,7 +232,7 @@ Result result_from(const JsonNode& node) {
   result.step = node.has("from");
   if (result.step) {
     node.check_keys({"from", "to", "free", "turning_faces", "toi", "toi_upper", "first", "at_start", "intersections",
-                     "coinciding_vertices", "clearance"});
+                     "coinciding_vertices", "own_neighbours_at_start", "clearance"});
     if (const auto turning = node.find("turning_faces")) result.turning = turning->whole_number(1, kMostNumber);
   } else {
     node.check_keys({"frame", "free", "enclosed_parts", "flat_faces", "parts_in_open_surfaces", "intersections",
@@ -261,6 +262,9 @@ Result result_from(const JsonNode& node) {
   result.intersections = list_from<RestContact>(node.at("intersections"), rest_from);
   if (result.free()) node.fail("is not free, without an intersection");
   if (const auto count = node.find("coinciding_vertices")) result.coinciding = count->whole_number(1, kMostNumber);
+  if (const auto count = node.find("own_neighbours_at_start")) {
+    result.own_neighbours = count->whole_number(1, result.at_start.size());
+  }
   return result;
 }
 

@@ -17,7 +17,8 @@ std::string scope_of(const Heading& heading, const std::vector<FrameEntry>& fram
 std::vector<std::string> warnings_of(const Heading& heading, const std::vector<FrameEntry>& frames,
                                      const ResultCounts& counts);
 
-/// A likely cause of contacts that are everywhere: vertices that are not joined. Empty without one.
+/// A likely cause of contacts that are everywhere: vertices that are not joined, or a separation above the lengths of
+/// edges. Empty without one.
 std::string likely_cause(const Heading& heading, const ResultCounts& counts);
 
 }  // namespace touchstone::sequence

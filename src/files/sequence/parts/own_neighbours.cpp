@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <functional>
 #include <limits>
+#include <set>
 #include <utility>
 
 #include <touchstone/error.hpp>
@@ -156,6 +157,27 @@ Mesh touching_alone(const Mesh& mesh, const std::vector<MeshPair>& pairs) {
   MeshElements elements = mesh.elements();
   for (const MeshPair& pair : pairs) elements.pair_separations.push_back({pair, 0});
   return Mesh(std::move(elements));
+}
+
+std::size_t own_neighbours_among(const Mesh& mesh, const std::vector<MeshContact>& contacts) {
+  std::set<std::array<MeshIndex, 2>> edges;
+  if (std::any_of(contacts.begin(), contacts.end(),
+                  [](const MeshContact& one) { return one.separation.distance > 0; })) {
+    for (const auto& [a, b] : mesh.edges()) edges.insert({std::min(a, b), std::max(a, b)});
+  }
+  const auto are_connected = [&](const MeshContact& contact) {
+    const auto corners = mesh.corners(contact.pair);
+    const std::size_t of_first = geometry::corners_of_first(contact.pair.kind);
+    for (std::size_t i = 0; i < of_first; ++i) {
+      for (std::size_t k = of_first; k < corner_count(contact.pair.kind); ++k) {
+        if (edges.contains({std::min(corners[i], corners[k]), std::max(corners[i], corners[k])})) return true;
+      }
+    }
+    return false;
+  };
+  return static_cast<std::size_t>(std::count_if(contacts.begin(), contacts.end(), [&](const MeshContact& contact) {
+    return contact.separation.distance > 0 && are_connected(contact);
+  }));
 }
 
 }  // namespace touchstone::sequence

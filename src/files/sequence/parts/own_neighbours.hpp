@@ -19,4 +19,7 @@ std::vector<MeshPair> own_neighbours(const Mesh& mesh, const Positions& x, doubl
 /// The mesh, whose separation these pairs do not have: their contact is touching.
 Mesh touching_alone(const Mesh& mesh, const std::vector<MeshPair>& pairs);
 
+/// How many of these contacts are about a separation and between two elements that an edge connects.
+std::size_t own_neighbours_among(const Mesh& mesh, const std::vector<MeshContact>& contacts);
+
 }  // namespace touchstone::sequence
