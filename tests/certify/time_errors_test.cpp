@@ -7,8 +7,10 @@
 #include <cfloat>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <vector>
 
+#include "certify/tally.hpp"
 #include "support/catch.hpp"
 #include "support/query_families.hpp"
 
@@ -124,4 +126,31 @@ TEST_CASE("a limit allows what is no farther, in doubles or in parts of the step
   CHECK(limit.allows(0.5, 0.75));
   CHECK_FALSE(limit.allows(0.5, std::nextafter(0.75, 1)));
   CHECK_FALSE(limit.allows(0.5, std::numeric_limits<double>::infinity()));
+}
+
+TEST_CASE("a wrong claim counts unless it is of another class, or late within the limit") {
+  Answer answer;
+  answer.contact = true;
+  answer.toi = 0.5;
+  Claim late{true, std::nextafter(std::nextafter(0.5, 1), 1)};
+  certify::Counting<Verdict> counting;
+  certify::NotCounted others;
+  const auto counted = [&](Verdict verdict) { return certify::counts(counting, late, answer, verdict, others); };
+  CHECK(counted(Verdict::late));
+  counting.late = certify::TimeLimit{1, std::nullopt};
+  CHECK(counted(Verdict::late));
+  counting.late->ulps = 2;
+  CHECK_FALSE(counted(Verdict::late));
+  counting.late->fraction = 0;
+  CHECK(counted(Verdict::late));
+  CHECK(counted(Verdict::missed));
+  counting.classes = {Verdict::late, Verdict::phantom};
+  CHECK_FALSE(counted(Verdict::missed));
+  CHECK(counted(Verdict::phantom));
+  // A time as written is late by a double at most where its double is not late.
+  late.toi = 0.5;
+  counting.late = certify::TimeLimit{1, std::nullopt};
+  CHECK_FALSE(counted(Verdict::late));
+  CHECK(others.late == 2);
+  CHECK(others.other == 1);
 }

@@ -74,20 +74,6 @@ Verdict verdict_on(const Claim& claim, const io::FileQuery& query, const Answer&
   return std::visit([&](const auto& given) { return judge(claim, given, answer, separation); }, query);
 }
 
-/// Whether a wrong claim counts as refuted. If not, it is added to the others.
-bool counts(const CertifyOptions& options, const Claim& claim, const Answer& answer, Verdict verdict,
-            certify::NotCounted& not_counted) {
-  const auto& classes = options.classes;
-  if (!classes.empty() && std::find(classes.begin(), classes.end(), verdict) == classes.end()) {
-    ++not_counted.other;
-    return false;
-  }
-  const bool is_late = verdict == Verdict::late && options.late;
-  if (!is_late || !options.late->allows(answer.toi, certify::late_until(*claim.toi, answer.toi))) return true;
-  ++not_counted.late;
-  return false;
-}
-
 std::variant<RationalQuery, CurvedQuery> as_given(const io::QueryRecord& record) {
   if (const auto* const curved = std::get_if<CurvedQuery>(&record.query)) return *curved;
   return io::query_as_given(record);
@@ -124,7 +110,8 @@ void judge_queries(CertifyItem& item, const CertifyOptions& options, const std::
     const Verdict verdict = verdict_on(claim, record.query, answer, separation);
     item.tally.add(claim, answer, verdict);
     if (!options.proofs.empty()) item.proved.add(inputs[item.input], record, answer, separation);
-    const bool is_refuted = verdict != Verdict::holds && counts(options, claim, answer, verdict, item.not_counted);
+    const bool is_refuted =
+        verdict != Verdict::holds && counts(options.counting, claim, answer, verdict, item.not_counted);
     if (options.json) {
       io::append_answer_line(item.lines, file, record.number, answer,
                              separation.distance > 0 || options.separation.given ? &separation : nullptr,
@@ -185,11 +172,12 @@ std::string summary(const CertifyOptions& options, const std::string& left_out, 
                          ? fmt::format("all {} claims hold", grouped(verdicts.claims()))
                          : fmt::format("{} of {} claims refuted", grouped(refuted), grouped(verdicts.claims()));
   if (not_counted.late > 0) {
-    text += fmt::format(", and {} late by at most {}", grouped(not_counted.late), time_limit_text(*options.late));
+    text +=
+        fmt::format(", and {} late by at most {}", grouped(not_counted.late), time_limit_text(*options.counting.late));
   }
   if (not_counted.other > 0) {
-    text +=
-        fmt::format(", and {} wrong in other ways than {}", grouped(not_counted.other), names_text(options.classes));
+    text += fmt::format(", and {} wrong in other ways than {}", grouped(not_counted.other),
+                        names_text(options.counting.classes));
   }
   text += fmt::format(" ({})\n", what_was_judged(options, left_out, inputs, questions));
   text += verdicts_for_person(verdicts);
@@ -296,9 +284,9 @@ int run_certify(const CertifyOptions& options) {
   const std::string left_out = claims ? claims->left_out() : "";
   if (report) {
     const std::string source = options.claims.empty() ? "truth column" : options.claims;
-    report->finish(report_begin({std::string(name_of(options.method)), source, left_out, questions.only(), options.late,
-                                 options.classes, not_counted},
-                                tally, files));
+    report->finish(report_begin(
+        {std::string(name_of(options.method)), source, left_out, questions.only(), options.counting, not_counted},
+        tally, files));
   }
   if (proofs) proofs->finish();
   progress.wipe();
@@ -346,10 +334,11 @@ void add_certify(CLI::App& program, Command& command) {
   add_time_limit(*subcommand, "--late",
                  "The greatest distance of a claimed toi after the exact time that does not count as refuted (default: "
                  "none)",
-                 [options](const certify::TimeLimit& limit) { options->late = limit; });
-  add_class_option(*subcommand, {"missed", "phantom", "late"},
-                   "Wrong claims of these classes alone count as refuted, such as missed,late (default: all)",
-                   [options](const std::string& name) { options->classes.push_back(*from_name<Verdict>(name)); });
+                 [options](const certify::TimeLimit& limit) { options->counting.late = limit; });
+  add_class_option(
+      *subcommand, {"missed", "phantom", "late"},
+      "Wrong claims of these classes alone count as refuted, such as missed,late (default: all)",
+      [options](const std::string& name) { options->counting.classes.push_back(*from_name<Verdict>(name)); });
   subcommand->add_flag("--histogram", options->histogram, "Show how early and how late the claims are");
   subcommand->add_flag(
       "--json", options->json,

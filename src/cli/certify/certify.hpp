@@ -22,11 +22,9 @@ struct CertifyOptions : QueryOptions {
   std::string report;  ///< empty: none
   std::string proofs;  ///< the file for the proofs of the exact answers; empty: none
 
-  // Which wrong claims count as refuted: all but those that are late within the limit, and those of other classes.
-  std::optional<certify::TimeLimit> late;
-  std::vector<Verdict> classes;  ///< empty: all
-  bool histogram = false;        ///< of how early and late the claims are
-  bool json = false;             ///< verdicts as lines of JSON on standard output, the summary beside it
+  certify::Counting<Verdict> counting;  ///< which wrong claims count as refuted
+  bool histogram = false;               ///< of how early and late the claims are
+  bool json = false;                    ///< verdicts as lines of JSON on standard output, the summary beside it
 };
 
 int run_certify(const CertifyOptions& options);

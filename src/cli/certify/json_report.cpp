@@ -165,16 +165,16 @@ std::string report_begin(const ReportHeading& heading, const certify::Tally& tal
   if (!heading.left_out.empty()) json["left_out"] = heading.left_out;
   if (heading.separation) put_separation(json, *heading.separation);
   json["claims"] = json_of(tally.verdicts);
-  if (heading.late) {
+  if (const auto& limit = heading.counting.late) {
     Json& late = json["not_counted"]["late"];
     late = {{"claims", heading.not_counted.late}};
-    if (heading.late->ulps) late["ulps"] = *heading.late->ulps;
-    if (heading.late->fraction) late["time"] = json_of(*heading.late->fraction);
+    if (limit->ulps) late["ulps"] = *limit->ulps;
+    if (limit->fraction) late["time"] = json_of(*limit->fraction);
   }
-  if (!heading.classes.empty()) {
+  if (!heading.counting.classes.empty()) {
     Json& other = json["not_counted"]["other_classes"];
     other = {{"claims", heading.not_counted.other}, {"than", Json::array()}};
-    for (const Verdict one : heading.classes) other["than"].push_back(name_of(one));
+    for (const Verdict one : heading.counting.classes) other["than"].push_back(name_of(one));
   }
   for (const Level level : {Level::filter, Level::bracket, Level::exact, Level::oracle}) {
     json["decided_by"][std::string(name_of(level))] = tally.levels[static_cast<std::size_t>(level)];

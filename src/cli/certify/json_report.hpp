@@ -62,8 +62,7 @@ struct ReportHeading {
   std::string claims_from;               ///< "truth column" or the name of a file of claims
   std::string left_out;                  ///< as ClaimStream::left_out
   std::optional<Separation> separation;  ///< nothing: the claims are about different ones
-  std::optional<certify::TimeLimit> late = {};
-  std::vector<Verdict> classes = {};  ///< empty: all
+  certify::Counting<Verdict> counting = {};
   certify::NotCounted not_counted = {};
 };
 

@@ -41,4 +41,12 @@ void Tally::merge(const Tally& other) noexcept {
   late.merge(other.late);
 }
 
+bool counts(const Counting<Verdict>& counting, const Claim& claim, const Answer& answer, Verdict verdict,
+            NotCounted& not_counted) noexcept {
+  const bool is_other = !counting.has(verdict);
+  if (!is_other && !(verdict == Verdict::late && counting.allows(*claim.toi, answer.toi))) return true;
+  ++(is_other ? not_counted.other : not_counted.late);
+  return false;
+}
+
 }  // namespace touchstone::certify

@@ -50,6 +50,10 @@ struct NotCounted {
   void merge(const NotCounted& more) noexcept { late += more.late, other += more.other; }
 };
 
+/// Whether a wrong claim counts as refuted. If not, it is added to the others.
+bool counts(const Counting<Verdict>& counting, const Claim& claim, const Answer& answer, Verdict verdict,
+            NotCounted& not_counted) noexcept;
+
 /// The verdicts on one file's claims.
 struct FileTally {
   std::string file;

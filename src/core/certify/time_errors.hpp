@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -33,6 +34,19 @@ inline double late_until(double claimed, double toi) noexcept {
   const double next = std::nextafter(toi, std::numeric_limits<double>::infinity());
   return claimed > toi ? claimed : next;
 }
+
+/// Which wrong claims count. @tparam Class  the ways in which a claim is wrong
+template <class Class>
+struct Counting {
+  std::optional<TimeLimit> late;  ///< how far after the exact time a late one must be; nothing: any late one counts
+  std::vector<Class> classes;     ///< those that count; empty: all
+
+  bool has(Class one) const noexcept {
+    return classes.empty() || std::find(classes.begin(), classes.end(), one) != classes.end();
+  }
+  /// Whether a time that is late does not count. @param toi  the answer's
+  bool allows(double claimed, double toi) const noexcept { return late && late->allows(toi, late_until(claimed, toi)); }
+};
 
 /// Claims whose distance lies in [from, below).
 template <class Distance>

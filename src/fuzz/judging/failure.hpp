@@ -26,13 +26,11 @@ inline constexpr std::array<FailureClass, kFailureClasses> kEveryFailure{
     FailureClass::nan,   FailureClass::phantom, FailureClass::early,     FailureClass::differs};
 
 /// What a reply may be without being a failure.
-struct Allowance {
-  certify::TimeLimit early;                ///< how far before the exact time
-  std::optional<certify::TimeLimit> late;  ///< how far after it; nothing: not at all
+struct Allowance : certify::Counting<FailureClass> {
+  certify::TimeLimit early;  ///< how far before the exact time
   /// A contact that does not exist, where the elements come within this part of the query's greatest coordinate of
   /// being in contact.
   double near = 0;
-  std::vector<FailureClass> classes;  ///< the failures that count; empty: all
 };
 
 /// A failure. `detail` tells a person more than the class alone.

@@ -50,11 +50,8 @@ Answer JudgedSolver::truth(const Asked& asked) const {
 
 bool JudgedSolver::allows(const JudgedReply& judged, const Asked& asked, const Answer& truth) const {
   const FailureClass failure = judged.failure->failure;
-  const auto& classes = allowance_.classes;
-  if (!classes.empty() && std::find(classes.begin(), classes.end(), failure) == classes.end()) return true;
-  if (failure == FailureClass::late && allowance_.late) {
-    return allowance_.late->allows(truth.toi, certify::late_until(*judged.reply.toi, truth.toi));
-  }
+  if (!allowance_.has(failure)) return true;
+  if (failure == FailureClass::late) return allowance_.allows(*judged.reply.toi, truth.toi);
   if (failure != FailureClass::phantom || allowance_.near == 0) return false;
   constexpr double kMost = std::numeric_limits<double>::max();
   Asked wider = asked;
