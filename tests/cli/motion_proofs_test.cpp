@@ -360,7 +360,7 @@ TEST_CASE("simulate --prove: what is refused, and runs that end early", "[slow]"
 
 namespace {
 
-/// An OBJ file of triangles as a binary PLY file, with a byte after each x.
+/// An OBJ file as a binary PLY file, with a byte after each x.
 std::string ply_of(const std::string& obj, const std::string& type, bool big_endian) {
   std::string vertices, faces;
   std::size_t counts[2] = {};
@@ -380,7 +380,7 @@ std::string ply_of(const std::string& obj, const std::string& type, bool big_end
       type == "double" ? add(vertices, x) : add(vertices, static_cast<float>(x));
       if (k == 0) vertices += 'q';
     }
-    if (word == "f") faces += '\3';
+    if (word == "f") faces += static_cast<char>(std::count(line.begin(), line.end(), ' '));
     for (std::string v; word == "f" && words >> v;) add(faces, std::stoi(v) - 1);
     counts[0] += word == "v" ? 1 : 0;
     counts[1] += word == "f" ? 1 : 0;
@@ -392,6 +392,40 @@ std::string ply_of(const std::string& obj, const std::string& type, bool big_end
 }
 
 }  // namespace
+
+TEST_CASE("mesh: a checker cuts the polygons of frames as --triangulate does") {
+  const TemporaryFolder folder;
+  const auto frame = [](int i, const std::string& polygon = "f 1 2 3 4 5\n") {
+    return "v 0 0 0\nv 4 0 0\nv 6 2 0\nv 4 4 0\nv 0 4 0\n" + polygon + "v 1 1 " + std::to_string(3 - i) +
+           "\nv 2 1 9\nv 2 2 9\nv 1 2 9\nf 6 7 8 9\n";
+  };
+  std::vector<std::string> files;
+  for (int i = 0; i < 3; ++i) files.push_back(folder.write("f-" + std::to_string(i) + ".obj", frame(i)));
+  REQUIRE(run({"mesh", "--triangulate", "--prove", folder.path("out")}, files).status == 0);
+  const auto compared = [&](const std::string& pattern) {
+    return check(folder, "out", {"--allow-empty", "--frames", folder.path(pattern)});
+  };
+  const Run same = compared("f-*.obj");
+  CAPTURE(same.out, same.err);
+  CHECK(same.status == 0);
+  CHECK(occurrences(same.out, "5 faces, whose frames are those of the 3 files") == 1);
+  for (const bool big_endian : {false, true}) {
+    for (int i = 0; i < 3; ++i) folder.write("p-" + std::to_string(i) + ".ply", ply_of(frame(i), "float", big_endian));
+    CHECK(compared("p-*.ply").status == 0);
+  }
+  // Cut from another corner, the polygon is other triangles.
+  for (const std::string polygon : {"f 2 3 4 5 1\n", "f 5 4 3 2 1\n", "f 1 3 2 4 5\n"}) {
+    folder.write("f-1.obj", frame(1, polygon));
+    folder.write("p-1.ply", ply_of(frame(1, polygon), "float", false));
+    for (const std::string pattern : {"f-*.obj", "p-*.ply"}) {
+      const Run other = compared(pattern);
+      CHECK(other.status == 1);
+      CHECK(occurrences(other.err, "of the file, counted from 0, is none of the motion") == 1);
+    }
+  }
+  folder.write("p-1.ply", ply_of(frame(1, "f 1 2\n"), "float", false));
+  CHECK(occurrences(compared("p-*.ply").err, "p-1.ply: a face has three vertices, or more") == 1);
+}
 
 TEST_CASE("mesh: a checker compares a motion with the frames, bit by bit") {
   const TemporaryFolder folder;
@@ -435,7 +469,9 @@ TEST_CASE("mesh: a checker compares a motion with the frames, bit by bit") {
   with_seventh(seventh + "v 0 0 0\n", 1, "f-7.obj and frame 7: 7 vertices, and 6");
   with_seventh(seventh + "f 1 2 4\n", 1,
                "f-7.obj and frame 7: face 2 of the file, counted from 0, is none of the motion");
-  with_seventh(seventh + "f 1 2 3 4\n", 2, "f-7.obj:10: --frames reads triangles alone");
+  with_seventh(seventh + "f 1 2 3 4\n", 1,
+               "f-7.obj and frame 7: face 3 of the file, counted from 0, is none of the motion");
+  with_seventh(seventh + "f 1 2\n", 2, "f-7.obj:10: a face has three vertices, or more");
   with_seventh(seventh + "f 1 2 7\n", 2, "f-7.obj:10: \"7\" is no vertex above this line");
   // What another reader may take for a face, a line or a point.
   with_seventh(seventh + "f\\\n 1 2 4\n", 2, "f-7.obj:10: --frames reads no backslash and no control character");

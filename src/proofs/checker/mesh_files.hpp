@@ -11,7 +11,8 @@
 
 namespace checker {
 
-/// A mesh file: three coordinates for each vertex, and the vertices of each triangle, line and point.
+/// A mesh file: three coordinates for each vertex, and the vertices of each triangle, line and point. A polygon of more
+/// than three corners stands for the triangles that its first corner makes with the sides that it is no end of.
 struct MeshFile {
   std::vector<Number> positions;
   std::vector<std::array<std::uint32_t, 3>> faces;
@@ -48,7 +49,7 @@ inline std::vector<std::string> files_of(const std::string& pattern) {
   return files;
 }
 
-/// Lines "v X Y Z", "f V V V", "l V V..." and "p V...". A vertex may have textures and normals behind slashes; a negative
+/// Lines "v X Y Z", "f V V V...", "l V V..." and "p V...". A vertex may have textures and normals behind slashes; a negative
 /// number counts back. What another reader may take for such a line is refused: other keywords, backslashes, controls.
 inline MeshFile read_obj(const std::string& name) {
   static const std::vector<std::string_view> kIgnored = {"vt", "vn", "o", "g", "s", "usemtl", "mtllib"};
@@ -74,8 +75,9 @@ inline MeshFile read_obj(const std::string& name) {
       lines.require(words.size() >= 4, "a vertex has three coordinates");
       for (std::size_t k = 1; k < 4; ++k) mesh.positions.push_back(read_double(words[k], lines));
     } else if (sort == "f") {
-      lines.require(words.size() == 4, "--frames reads triangles alone: here must be three vertices");
-      mesh.faces.push_back({vertex_of(words[1]), vertex_of(words[2]), vertex_of(words[3])});
+      lines.require(words.size() >= 4, "a face has three vertices, or more");
+      for (std::size_t k = 3; k < words.size(); ++k)
+        mesh.faces.push_back({vertex_of(words[1]), vertex_of(words[k - 1]), vertex_of(words[k])});
     } else if (sort == "l") {
       lines.require(words.size() >= 3, "a line has two vertices, or more");
       for (std::size_t k = 2; k < words.size(); ++k)
@@ -267,9 +269,14 @@ class PlyFile {
     unsigned found = 0;
     for (const Property& property : properties) {
       if (property.count.size > 0) {
-        require(read_bits(property.count) == 3, "--frames reads triangles alone");
-        auto& face = mesh.faces.emplace_back();
-        for (std::uint32_t& v : face) v = index_of(read_bits(property.type), property.type);
+        const std::uint32_t size = index_of(read_bits(property.count), property.count);
+        require(size >= 3 && size < kMostVertices, "a face has three vertices, or more");
+        std::array<std::uint32_t, 3> face{};  // the first corner, and the last two that were read
+        for (std::uint32_t k = 0; k < size; ++k) {
+          face[1] = face[2];
+          face[k == 0 ? 0 : 2] = index_of(read_bits(property.type), property.type);
+          if (k >= 2) mesh.faces.push_back(face);
+        }
         continue;
       }
       const std::uint64_t bits = read_bits(property.type);
