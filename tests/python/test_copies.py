@@ -107,6 +107,28 @@ def test_slices():
     assert list(found) == [("edge", 0, "face", 0, "pierces")] and len(found[1:]) == 0
     pairs = ts.candidates(ts.Mesh(3), np.zeros((3, 3)), np.zeros((3, 3)))
     assert list(pairs[1:]) == [pairs[1], pairs[2]] and len(pairs[1:].separation) == 0
+    assert list(pairs[[2, 0]]) == [pairs[2], pairs[0]] and len(pairs[[2, 0]].separation) == 0
+    assert len(found[[False]]) == 0 and list(found[np.array([0, 0])]) == [found[0], found[0]]
+
+
+def test_masks_and_several_numbers():
+    answers, distances = ts.solve("point-point", START, END), ts.distance("point-point", START)
+    for several in (answers.contact, ~answers.contact, answers.contact.tolist(), np.array([3, -1, 3]), [4, 0], [],
+                    np.array([1], np.uint8), np.array([2**40 % 5], np.uint64), np.zeros(5, bool), range(2)):
+        for all_, column in ((answers, "toi"), (distances, "value")):
+            some = all_[several]
+            wanted = getattr(all_, column)[list(several)] if len(several) else []
+            assert type(some) is type(all_) and getattr(some, column).tolist() == list(wanted), several
+    for wrong, words in ((5, "no answer 5; there are 5"), ([0, 5], "no answer 5; there are 5"),
+                         ([-6], "no answer -6"), ([True], "the mask has 1 bools; there must be one for each answer, 5"),
+                         (np.array([2**63], np.uint64), "no answer 9223372036854775808")):
+        with pytest.raises(IndexError, match=words):
+            answers[wrong]
+    for wrong in ("a", 1.5, (0, 1), None, [0.5], [[0, 1]], np.float64(1), np.zeros(0), {}):
+        with pytest.raises(TypeError, match="the index is"):
+            answers[wrong]
+    with pytest.raises(ValueError, match=r"index\[1\] is masked"):
+        answers[np.ma.array([0, 1], mask=[False, True])]
 
 
 def test_tables():

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <string>
 
+#include "python/items.hpp"
 #include "python/pickles.hpp"
 
 namespace touchstone::python {
@@ -105,11 +106,13 @@ void define_answers(py::module_& module) {
   define_pickle(
       answers, [](const Answers& self) { return self.all(); },
       [](std::vector<Answer>&& all) { return Answers(std::move(all)); });
-  answers.def("__len__", [](const Answers& self) { return self.all().size(); })
-      .def("__getitem__", [](const Answers& self, py::ssize_t i) { return item_of(self.all(), i, "answer"); })
-      .def("__getitem__",
-           [](const Answers& self, const py::slice& slice) { return Answers(items_of(self.all(), slice)); })
-      .def("__repr__", [](const Answers& self) { return text_of(self); });
+  const auto items = [](const Answers& self) -> const std::vector<Answer>& { return self.all(); };
+  define_items(
+      answers, "answer", items, [](const Answer& answer) { return answer; },
+      [](const Answers& self, const std::vector<std::size_t>& places) {
+        return Answers(items_at(self.all(), places));
+      });
+  answers.def("__repr__", [](const Answers& self) { return text_of(self); });
   column<bool>(answers, "contact", &Answer::contact, "(n,) bool: whether the elements touch at any time in [0, t_max]");
   column<double>(answers, "toi", &Answer::toi,
                  "(n,) float64: the largest double <= the exact first time; inf without contact");

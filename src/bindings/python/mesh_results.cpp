@@ -6,6 +6,7 @@
 
 #include "python/answers.hpp"
 #include "python/arguments.hpp"
+#include "python/items.hpp"
 #include "python/pickles.hpp"
 
 namespace touchstone::python {
@@ -19,14 +20,13 @@ void define_pairs(py::module_& module) {
   py::class_<Pairs> pairs = define_class<Pairs>(
       module, "Pairs", "Pairs of elements: arrays that cannot be written to. pairs[i] is (kind, first, second).");
   define_pickle(pairs);
-  pairs.def("__len__", [](const Pairs& self) { return self.pairs.size(); })
-      .def("__getitem__", [](const Pairs& self, py::ssize_t i) { return tuple_of(item_of(self.pairs, i, "pair")); })
-      .def(
-          "__getitem__",
-          [](const Pairs& self, const py::slice& slice) {
-            return Pairs{items_of(self.pairs, slice), items_of(self.separations, slice), items_of(self.answers, slice)};
-          })
-      .def("__repr__", [](const Pairs& self) { return "<Pairs: " + std::to_string(self.pairs.size()) + ">"; })
+  const auto items = [](const Pairs& self) -> const std::vector<MeshPair>& { return self.pairs; };
+  define_items(
+      pairs, "pair", items, [](const MeshPair& pair) { return tuple_of(pair); },
+      [](const Pairs& self, const std::vector<std::size_t>& places) {
+        return Pairs{items_at(self.pairs, places), items_at(self.separations, places), items_at(self.answers, places)};
+      });
+  pairs.def("__repr__", [](const Pairs& self) { return "<Pairs: " + std::to_string(self.pairs.size()) + ">"; })
       .def_property_readonly(
           "kind",
           [](const Pairs& self) {
@@ -67,18 +67,17 @@ void define_intersections(py::module_& module) {
                                   "Where a mesh intersects itself: arrays that cannot be written to. found[i] "
                                   "is\n(first_element, first, second_element, second, sort).");
   define_pickle(found);
-  found.def("__len__", [](const Intersections& self) { return self.all.size(); })
-      .def("__getitem__",
-           [](const Intersections& self, py::ssize_t i) {
-             const Intersection& one = item_of(self.all, i, "intersection");
-             return py::make_tuple(std::string(name_of(one.first_element)), one.first,
-                                   std::string(name_of(one.second_element)), one.second,
-                                   std::string(name_of(one.sort)));
-           })
-      .def("__getitem__",
-           [](const Intersections& self, const py::slice& slice) { return Intersections{items_of(self.all, slice)}; })
-      .def("__repr__",
-           [](const Intersections& self) { return "<Intersections: " + std::to_string(self.all.size()) + ">"; });
+  define_items(
+      found, "intersection", [](const Intersections& self) -> const std::vector<Intersection>& { return self.all; },
+      [](const Intersection& one) {
+        return py::make_tuple(std::string(name_of(one.first_element)), one.first,
+                              std::string(name_of(one.second_element)), one.second, std::string(name_of(one.sort)));
+      },
+      [](const Intersections& self, const std::vector<std::size_t>& places) {
+        return Intersections{items_at(self.all, places)};
+      });
+  found.def("__repr__",
+            [](const Intersections& self) { return "<Intersections: " + std::to_string(self.all.size()) + ">"; });
   const auto names = [&](const char* name, auto member, const char* help) {
     const auto get = [member](const Intersections& self) {
       py::list elements;

@@ -263,26 +263,4 @@ void define_pickle(py::class_<T>& bound) {
       bound, [](const T& object) { return object; }, [](T&& value) { return std::move(value); });
 }
 
-/// Item i of a list, from its end where i is negative.
-template <class Item>
-const Item& item_of(const std::vector<Item>& items, py::ssize_t i, const char* what) {
-  const auto size = static_cast<py::ssize_t>(items.size());
-  if (i < -size || i >= size) {
-    throw py::index_error("there is no " + std::string(what) + " " + std::to_string(i) + "; there are " +
-                          std::to_string(size));
-  }
-  return items[static_cast<std::size_t>(i < 0 ? i + size : i)];
-}
-
-/// The items of a slice.
-template <class Item>
-std::vector<Item> items_of(const std::vector<Item>& items, const py::slice& slice) {
-  std::size_t start = 0, stop = 0, step = 0, count = 0;
-  if (!slice.compute(items.size(), &start, &stop, &step, &count)) throw py::error_already_set();
-  std::vector<Item> some;
-  some.reserve(count);
-  for (std::size_t i = 0; i < count; ++i, start += step) some.push_back(items[start]);
-  return some;
-}
-
 }  // namespace touchstone::python

@@ -16,6 +16,7 @@
 #include "python/answers.hpp"
 #include "python/arguments.hpp"
 #include "python/chunks.hpp"
+#include "python/items.hpp"
 #include "python/pickles.hpp"
 #include "python/query_arrays.hpp"
 #include "python/questions.hpp"
@@ -216,11 +217,14 @@ void define_distances(py::module_& module) {
   define_pickle(
       distances, [](const Distances& self) { return self.all; },
       [](std::vector<Distance>&& all) { return Distances{std::move(all)}; });
-  distances.def("__len__", [](const Distances& self) { return self.all.size(); })
-      .def("__repr__", [](const Distances& self) { return "<Distances: " + std::to_string(self.all.size()) + ">"; })
-      .def("__getitem__", [](const Distances& self, py::ssize_t i) { return item_of(self.all, i, "distance"); })
-      .def("__getitem__",
-           [](const Distances& self, const py::slice& slice) { return Distances{items_of(self.all, slice)}; });
+  const auto items = [](const Distances& self) -> const std::vector<Distance>& { return self.all; };
+  define_items(
+      distances, "distance", items, [](const Distance& distance) { return distance; },
+      [](const Distances& self, const std::vector<std::size_t>& places) {
+        return Distances{items_at(self.all, places)};
+      });
+  distances.def("__repr__",
+                [](const Distances& self) { return "<Distances: " + std::to_string(self.all.size()) + ">"; });
   const auto column = [&](const char* name, auto member, auto number, std::size_t width, const char* help) {
     const auto get = [member, number, width](const py::object& self) {
       static_cast<void>(number);

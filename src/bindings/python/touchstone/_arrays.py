@@ -79,6 +79,26 @@ def exact_doubles(values, name):
     return doubles
 
 
+def places(several, count, what):
+    """The places among `count` items that a mask or several whole numbers name, as int64 from 0 to count - 1."""
+    array = None if isinstance(several, (tuple, str, bytes)) else unmasked(several, "the index")
+    if array is not None and array.size == 0 and isinstance(several, list):
+        array = array.astype(np.int64)
+    if array is None or array.dtype.kind not in "biu" or array.ndim != 1:
+        given = type(several).__name__ if array is None else f"an array of {array.dtype} of shape {array.shape}"
+        raise TypeError(f"the index is {given}; it must be a whole number, a slice, a bool for each {what}, or several "
+                        "whole numbers")
+    if array.dtype.kind == "b":
+        if len(array) != count:
+            raise IndexError(f"the mask has {len(array)} bools; there must be one for each {what}, {count}")
+        return np.flatnonzero(array).astype(np.int64)
+    wrong = np.flatnonzero((array < -count) | (array >= count))
+    if wrong.size:
+        raise IndexError(f"there is no {what} {array[wrong[0]]}; there are {count}")
+    array = array.astype(np.int64)
+    return np.where(array < 0, array + count, array)
+
+
 def indices(values, name, columns):
     """Whole numbers in [0, 2^32 - 2] as uint32 of shape (rows, columns), or (rows,) for 0 columns, without gaps."""
     array = unmasked(values, name)
