@@ -53,6 +53,10 @@ def test_parts_put_together_are_the_whole():
             for name in ("contact", "toi", "toi_upper", "nature", "feature_a", "feature_b", "level"):
                 assert np.array_equal(getattr(answers, name), getattr(whole.truth, name)[:n]), name
         assert len(cluster.solve(pool, KIND, [])) == 0 and not cluster.certify(pool, KIND, []).holds  # no claims
+        late = cluster.certify(pool, KIND, parts, classes=["late"])
+        text = cluster.report(late)
+        assert text == cluster.certify_report(pool, KIND, parts, classes=["late"])
+        assert json.loads(text)["not_counted"] == late.not_counted.sum() > 0
     assert not whole.holds
     text = json.loads(cluster.report(whole))
     assert text["claims"]["missed"] == whole.count(ts.Verdict.missed) > 0

@@ -139,7 +139,20 @@ def test_tables():
     assert ts.distance("point-point", START).to_pandas().value.tolist() == [1, 2, 5, 3, 4]
     for thing in objects():
         if hasattr(thing, "to_pandas"):
-            assert len(thing.to_pandas()) == len(thing)
+            assert len(thing.to_pandas()) == len(thing.findings if isinstance(thing, ts.FuzzReport) else thing)
+
+
+def test_claims_and_findings_as_tables():
+    pytest.importorskip("pandas", reason="pandas is not installed")
+    found = ts.certify("point-point", START, END, [True] * 5, [0, 1, 0, 0, 0], classes=["phantom"])
+    table = found.to_pandas()
+    assert table.verdict.tolist() == ["holds", "late", "phantom", "holds", "holds"]
+    assert table.refuted.tolist() == [False, False, True, False, False] and table.early[0] == 0.25
+    assert table.toi.tolist() == found.truth.toi.tolist()
+    report = ts.fuzz(lambda *_: False, 300, findings=100)
+    table = report.to_pandas()
+    assert table.failure.tolist() == [one.failure for one in report.findings] and table.exact_contact.all()
+    assert table["count"].sum() == report.failures and table.start[0].tolist() == report.findings[0].start.tolist()
 
 
 def test_names_of_other_programs_are_told():

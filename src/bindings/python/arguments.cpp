@@ -54,6 +54,11 @@ Kind kind_of(py::handle name) { return value_of<Kind>(name, "kind"); }
 Metric metric_of(py::handle name) { return value_of<Metric>(name, "metric"); }
 Method method_of(py::handle name) { return value_of<Method>(name, "method"); }
 Wanted wanted_of(py::handle name) { return value_of<Wanted>(name, "wanted"); }
+MeshElement element_of(py::handle name) { return value_of<MeshElement>(name, "the element"); }
+IntersectionSort intersection_sort_of(py::handle name) {
+  return value_of<IntersectionSort>(name, "the sort of the intersection");
+}
+Verdict verdict_of(py::handle name) { return value_of<Verdict>(name, "one of classes"); }
 
 py::dict all_names() {
   py::dict all;

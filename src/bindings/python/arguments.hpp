@@ -12,6 +12,8 @@
 #include <string>
 #include <vector>
 
+#include <touchstone/certify.hpp>
+#include <touchstone/mesh.hpp>
 #include <touchstone/query.hpp>
 #include <touchstone/separation.hpp>
 #include <touchstone/solve.hpp>
@@ -22,12 +24,15 @@ namespace touchstone::python {
 
 namespace py = pybind11;
 
-/// @throws TypeError or ValueError (as do all functions here)  for anything but one of the four names; "_" is as good
+/// @throws TypeError or ValueError (as do all functions here)  for anything but one of the names; "_" is as good
 /// as "-"
 Kind kind_of(py::handle name);
 Metric metric_of(py::handle name);
 Method method_of(py::handle name);
 Wanted wanted_of(py::handle name);
+MeshElement element_of(py::handle name);
+IntersectionSort intersection_sort_of(py::handle name);
+Verdict verdict_of(py::handle name);
 
 /// The names of the enumerations, by the enumeration's name: {"Kind": ("edge-edge", ...), ...}.
 py::dict all_names();

@@ -19,6 +19,8 @@ void define_meshes(py::module_& module);
 void define_mesh_files(py::module_& module);
 void define_curved(py::module_& module);
 void define_proofs(py::module_& module);
+/// `judge`.
+void define_judging(py::module_& module);
 void define_fuzzing(py::module_& module);
 /// `page`, which is None in a build without the view layer.
 void define_pages(py::module_& module);

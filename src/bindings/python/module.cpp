@@ -31,6 +31,7 @@ PYBIND11_MODULE(_core, module) {
   python::define_mesh_files(module);
   python::define_curved(module);
   python::define_proofs(module);
+  python::define_judging(module);
   python::define_fuzzing(module);
 #ifdef TOUCHSTONE_PYTHON_WITH_PAGES
   python::define_pages(module);

@@ -197,8 +197,8 @@ def _show_intersections(found):
 def _show_certificate(certificate):
     rows = [(int(i), Verdict(certificate.verdict[i]), "contact at " + _number(certificate.truth.toi[i])
              if certificate.truth.contact[i] else "no contact") for i in certificate.refuted[:_MOST_ROWS]]
-    heading = ", ".join(f"{certificate.count(verdict)} {verdict}" for verdict in Verdict)
-    return _table(heading, ("claim", "verdict", "exact answer"), rows, len(certificate.refuted) - len(rows))
+    return _table(certificate.counts(), ("claim", "verdict", "exact answer"), rows,
+                  len(certificate.refuted) - len(rows))
 
 
 def _show_finding(found):

@@ -14,7 +14,7 @@ _HERE = {
     "thickness": "separation", "offset": "separation", "tmax": "t_max", "max_t": "t_max",
     "n_threads": "threads", "num_threads": "threads", "workers": "threads", "n_jobs": "threads", "nthreads": "threads",
     "norm": "metric", "x_start": "start", "x_end": "end", "vertices_t0": "x0", "vertices_t1": "x1", "V0": "x0",
-    "V1": "x1", "query_type": "kind",
+    "V1": "x1", "query_type": "kind", "late": "late_ulps",
 }
 
 

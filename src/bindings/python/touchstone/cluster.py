@@ -100,10 +100,11 @@ def solve(client: Any, kind: Kind, parts: Sequence, **options: Any) -> np.recarr
 
 
 def certify_part(kind: Kind, start: NDArray, end: NDArray, contact: NDArray, toi: Optional[NDArray] = None,
-                 **options: Any) -> Tuple[NDArray, NDArray, NDArray]:
-    """`touchstone.certify` of n claims: (verdict, truth as of `solve_part`, early). Errors are those of it."""
+                 **options: Any) -> Tuple[NDArray, NDArray, NDArray, NDArray]:
+    """`touchstone.certify` of n claims: (verdict, truth as of `solve_part`, early, not_counted). Errors are those of
+    it."""
     found = _judging.certify(kind, start, end, contact, toi, **options)
-    return found.verdict, _rows(found.truth), found.early
+    return found.verdict, _rows(found.truth), found.early, found.not_counted
 
 
 def certify(client: Any, kind: Kind, parts: Sequence, **options: Any) -> Certificate:
@@ -119,13 +120,13 @@ def certify(client: Any, kind: Kind, parts: Sequence, **options: Any) -> Certifi
     <Certificate: 4 holds, 1 missed, 0 phantom, 0 late>
     """
     found = _run(client, partial(certify_part, kind, **options), parts)
-    verdict, truth, early = zip(*found) if found else ([], [], [])
+    verdict, truth, early, not_counted = zip(*found) if found else ([], [], [], [])
     return Certificate(np.concatenate([np.empty(0, np.uint8), *verdict]), _joined(truth),
-                       np.concatenate([np.empty(0), *early]))
+                       np.concatenate([np.empty(0), *early]), np.concatenate([np.empty(0, bool), *not_counted]))
 
 
 def _tally(certificate):
-    """The counts of verdicts, and the refuted claims."""
+    """The counts of verdicts, how many wrong claims do not count, and the refuted ones."""
     refuted = []
     for i in certificate.refuted:
         truth = certificate.truth[int(i)]
@@ -134,17 +135,19 @@ def _tally(certificate):
             exact.update(toi=float(truth.toi).hex(), toi_upper=float(truth.toi_upper).hex(),
                          nature=str(Nature(truth.nature)))
         refuted.append({"query": int(i), "verdict": str(Verdict(certificate.verdict[i])), "exact": exact})
-    return [certificate.count(verdict) for verdict in Verdict], refuted
+    return [*map(certificate.count, Verdict), int(certificate.not_counted.sum())], refuted
 
 
 def _text(counts, refuted):
     claims = json.dumps({str(verdict): count for verdict, count in zip(Verdict, counts)})
+    left_out = f" \"not_counted\": {counts[-1]},\n" if counts[-1] else ""
     lines = ",".join("\n  " + json.dumps(one) for one in refuted)
-    return "{\n \"claims\": " + claims + ",\n \"refuted\": [" + lines + "]\n}\n"
+    return "{\n \"claims\": " + claims + ",\n" + left_out + " \"refuted\": [" + lines + "]\n}\n"
 
 
 def report(certificate: Certificate) -> str:
-    """The certificate as JSON, with hexfloats: the counts of verdicts, and each refuted claim with the exact answer.
+    """The certificate as JSON, with hexfloats: the counts of verdicts, how many wrong claims do not count if some do
+    not, and each refuted claim with the exact answer.
 
     Raises nothing for a Certificate of `certify` here or of `touchstone.certify`.
 
@@ -157,7 +160,7 @@ def report(certificate: Certificate) -> str:
 
 def report_part(kind: Kind, start: NDArray, end: NDArray, contact: NDArray, toi: Optional[NDArray] = None,
                 **options: Any) -> Tuple[List[int], List[Dict]]:
-    """The counts and refuted claims of `touchstone.certify`, whose errors it has, with numbers from 0."""
+    """The counts of `touchstone.certify`, whose errors it has, and the refuted claims, with numbers from 0."""
     return _tally(_judging.certify(kind, start, end, contact, toi, **options))
 
 
@@ -171,11 +174,11 @@ def certify_report(client: Any, kind: Kind, parts: Sequence, **options: Any) -> 
     >>> print(certify_report(ThreadPoolExecutor(), 'point-point', parts).splitlines()[3][:35])
       {"query": 3, "verdict": "missed",
     """
-    counts, refuted, before = [0] * len(Verdict), [], 0
+    counts, refuted, before = [0] * (len(Verdict) + 1), [], 0
     for part_counts, part_refuted in _run(client, partial(report_part, kind, **options), parts):
         refuted += [{**one, "query": before + one["query"]} for one in part_refuted]
         counts = [a + b for a, b in zip(counts, part_counts)]
-        before += sum(part_counts)
+        before += sum(part_counts[:-1])
     return _text(counts, refuted)
 
 
