@@ -169,7 +169,10 @@ def test_wrong_input_is_refused():
             ask("mesh", X0, X1)
     for pair, error in ((("edge-edge", 0, 99), ValueError), (("edge-edge", -1, 0), ValueError),
                         (("x", 0, 0), ValueError),
-                        ((0, 0), ValueError), (("edge-edge", 0, 1.5), TypeError)):
+                        ((0, 0), ValueError), (("edge-edge", 0, 1.5), TypeError),
+                        (("edge", 99, "face", 0, "pierces"), ValueError), (("edge", 0, "face", 99, "x"), ValueError),
+                        (("edge", 0, "face", -1, "folds"), ValueError), (("body", 0, "face", 0, "folds"), ValueError),
+                        (("edge", 0, "face", 0, "meets"), ValueError), (("edge", 0, 1, 0, "folds"), TypeError)):
         with pytest.raises(error):
             mesh.describe(pair)
     with pytest.raises(ValueError, match="t_max"):
@@ -178,6 +181,16 @@ def test_wrong_input_is_refused():
         ts.free_step(mesh, X0, X1, 1)
     with pytest.raises(IndexError):
         ts.candidates(mesh, X0, X1)[10**6]
+
+
+def test_an_intersection_is_described():
+    mesh = ts.Mesh(7, faces=[[0, 1, 2]], edges=[[3, 4]], points=[5])
+    found = ts.intersections(mesh, [[0, 0, 0], [4, 0, 0], [0, 4, 0], [1, 1, -1], [1, 1, 1], [2, 1, 0], [9, 9, 9]])
+    assert sorted(map(mesh.describe, found)) == ["edge 0 (3-4) pierces face 0 (0-1-2)",
+                                                 "vertex 5 touches face 0 (0-1-2)"]
+    assert mesh.describe(("edge", 1, "face", 0, "folds")) == "edge 1 (0-1) folds onto face 0 (0-1-2)"
+    with pytest.raises(ValueError, match="the mesh has no face 99; it has 1"):
+        mesh.describe(("edge", 0, "face", 99, "folds"))
 
 
 def test_an_empty_mesh():
@@ -215,6 +228,8 @@ def test_an_object_without_a_value_is_refused(bound):
             calls = [lambda: getattr(made, name)()]
         elif name in ("__getitem__", "__eq__", "__lt__"):
             calls = [lambda: getattr(made, name)(0)]
+        elif name == "read":
+            calls = [lambda: made.read("a.obj")]
         else:
             continue
         for call in calls:

@@ -18,24 +18,52 @@
 namespace touchstone::python {
 namespace {
 
+/// Item i of a tuple that names two elements: the number of one.
+MeshIndex number_in(const py::tuple& pair, std::size_t i) {
+  constexpr long long kMost = 4294967294;
+  int too_long = 0;
+  const long long value = PyLong_AsLongLongAndOverflow(pair[i].ptr(), &too_long);
+  if (PyErr_Occurred() != nullptr) throw py::error_already_set();
+  if (too_long != 0 || value < 0 || value > kMost) {
+    throw py::value_error("the pair " + std::string(py::str(py::repr(pair))) + " has an index outside [0, 2^32 - 2]");
+  }
+  return static_cast<MeshIndex>(value);
+}
+
+bool is_tuple(py::handle given, std::size_t size) { return py::isinstance<py::tuple>(given) && py::len(given) == size; }
+
 /// A pair as Python gives it: (kind, first, second).
 MeshPair pair_of(py::handle given) {
-  if (!py::isinstance<py::tuple>(given) || py::len(given) != 3) {
+  if (!is_tuple(given, 3)) {
     throw py::value_error("a pair is a tuple (kind, first, second), not " + std::string(py::str(py::repr(given))));
   }
   const auto pair = py::reinterpret_borrow<py::tuple>(given);
-  const auto number = [&](std::size_t i) {
-    constexpr long long kMost = 4294967294;
-    int too_long = 0;
-    const long long value = PyLong_AsLongLongAndOverflow(pair[i].ptr(), &too_long);
-    if (PyErr_Occurred() != nullptr) throw py::error_already_set();
-    if (too_long != 0 || value < 0 || value > kMost) {
-      throw py::value_error("the pair " + std::string(py::str(py::repr(given))) +
-                            " has an index outside [0, 2^32 - 2]");
-    }
-    return static_cast<MeshIndex>(value);
+  return {kind_of(pair[0]), number_in(pair, 1), number_in(pair, 2)};
+}
+
+/// An element for a person, as Mesh::describe has it.
+std::string text_of(const Mesh& mesh, MeshElement element, MeshIndex number) {
+  const std::size_t count = element == MeshElement::vertex ? mesh.vertex_count()
+                            : element == MeshElement::edge ? mesh.edges().size()
+                                                           : mesh.faces().size();
+  std::string text = std::string(name_of(element)) + " " + std::to_string(number);
+  if (number >= count) throw py::value_error("the mesh has no " + text + "; it has " + std::to_string(count));
+  const auto with_corners = [&](const auto& corners) {
+    for (const MeshIndex& corner : corners) text.append(&corner == &corners[0] ? " (" : "-") += std::to_string(corner);
+    return text + ")";
   };
-  return {kind_of(pair[0]), number(1), number(2)};
+  return element == MeshElement::vertex ? text
+         : element == MeshElement::edge ? with_corners(mesh.edges()[number])
+                                        : with_corners(mesh.faces()[number]);
+}
+
+/// A pair, or an intersection (first_element, first, second_element, second, sort), for a person.
+std::string description(const Mesh& mesh, py::handle given) {
+  if (!is_tuple(given, 5)) return mesh.describe(pair_of(given));
+  const auto found = py::reinterpret_borrow<py::tuple>(given);
+  const auto element = [&](std::size_t i) { return text_of(mesh, element_of(found[i]), number_in(found, i + 1)); };
+  const std::string first = element(0), second = element(2);
+  return first + " " + std::string(intersection_verb(intersection_sort_of(found[4]))) + " " + second;
 }
 
 struct MeshArguments {
@@ -189,9 +217,9 @@ void define_mesh(py::module_& module) {
             return list;
           },
           "The vertices of a pair (kind, first, second), in the order of a query's corners.")
-      .def(
-          "describe", [](const Mesh& mesh, py::handle pair) { return mesh.describe(pair_of(pair)); },
-          "A pair (kind, first, second) for a person: 'edge 7 (3-4) and edge 9 (10-11)'.")
+      .def("describe", &description,
+           "A pair (kind, first, second) for a person: 'edge 7 (3-4) and edge 9 (10-11)'; or one of Intersections:\n"
+           "'edge 7 (3-4) pierces face 9 (10-11-12)'.")
       .def("__repr__", [](const Mesh& mesh) {
         return "<Mesh: " + std::to_string(mesh.vertex_count()) + " vertices, " + std::to_string(mesh.faces().size()) +
                " faces, " + std::to_string(mesh.edges().size()) + " edges, " + std::to_string(mesh.points().size()) +
