@@ -46,6 +46,51 @@ def test_frames_are_read_in_their_order(tmp_path):
         ts.read_frames(paths[0])
 
 
+def test_patterns_and_folders_stand_for_their_frames(tmp_path):
+    for z in (1, 2, 10):
+        write(tmp_path, f"f-{z}.obj", OBJ.format(z=z))
+
+    def heights(paths, **options):
+        return ts.read_frames(paths, **options)[1][:, 3, 2].tolist()
+
+    pattern = str(tmp_path / "f-*.obj")
+    assert heights(pattern, in_order=True) == heights(tmp_path, in_order=True) == heights([pattern]) == [1, 2, 10]
+    assert heights([tmp_path / "f-10.obj", tmp_path / "f-2.obj"]) == [10, 2]
+    assert heights([tmp_path / "f-10.obj", tmp_path / "f-2.obj"], in_order=False) == [2, 10]
+    assert heights([tmp_path / "f-10.obj", pattern]) == [10, 1, 2, 10]
+    with pytest.raises(ValueError, match="frame 3 is missing .* in_order=True takes the files in the order given"):
+        ts.read_frames(pattern)
+    write(tmp_path, "rest.obj", OBJ.format(z=0))
+    with pytest.raises(ValueError) as refused:
+        ts.read_frames(tmp_path)
+    assert "in more than numbers" in str(refused.value) and "in_order=True takes" in str(refused.value)
+    assert "--" not in str(refused.value)
+    with pytest.raises(ValueError, match="no file matches this pattern"):
+        ts.read_frames(tmp_path / "g*.obj")
+
+
+SPLIT = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 0 {z}\nv 1 1 0\nv 0 1 0\nf 1 2 3\nf 4 5 6\nf 2 3 1\nf 1 1 2\n"
+
+
+def test_meshes_are_mended_on_request(tmp_path):
+    path = write(tmp_path, "s-1.obj", SPLIT.format(z=0))
+    with pytest.raises(ValueError, match="twice"):
+        ts.read_mesh(path)
+    dropped = ts.read_mesh(path, drop_degenerate=True)
+    assert (dropped.welded_vertices, dropped.dropped_elements, len(dropped.mesh.faces)) == (0, 2, 2)
+    assert len(ts.intersections(dropped.mesh, dropped.positions)) > 0
+    mended = ts.read_mesh(path, weld=True, drop_degenerate=True)
+    assert (mended.welded_vertices, mended.dropped_elements) == (2, 2)
+    assert mended.mesh.faces.tolist() == [[0, 1, 2], [1, 4, 2]] and len(mended.mesh.points) == 0
+    assert len(mended) == 4 and len(ts.intersections(mended.mesh, mended.positions)) == 0
+    frames = ts.read_frames([path, path], weld=True, drop_degenerate=True)
+    assert (len(frames), frames.welded_vertices, frames.dropped_elements) == (2, 2, 2)
+    assert np.array_equal(frames.mesh.faces, mended.mesh.faces) and frames.positions.shape == (2, 6, 3)
+    apart = write(tmp_path, "s-2.obj", SPLIT.format(z=1))
+    with pytest.raises(ValueError, match="vertices 2 and 4 are apart in s-2.obj, .*without weld=True they stay two"):
+        ts.read_frames([path, apart], weld=True, drop_degenerate=True)
+
+
 def test_elements_in_no_part_collide_between_parts(tmp_path):
     text = OBJ.format(z=1) + "v 0 0 7\nv 2 2 7\nl 8 9\nv 2 0 7\nv 0 2 7\nl 10 11\n"
     read = ts.read_mesh(write(tmp_path, "w.obj", text), between_parts=True)
@@ -63,7 +108,7 @@ def test_frames_of_other_parts_are_refused_between_parts(tmp_path):
 def test_what_is_no_mesh_is_refused(tmp_path):
     for name, text, words in [("a.obj", "f 1 2 3\n", "vertex 3 does not exist"), ("a.npy", "", "NumPy and h5py read"),
                               ("a.xyz", "", "meshio convert"), ("a.off", "OFF 1 0 0\n0 0 nan\n", "no finite number"),
-                              ("q.off", "OFF 4 1 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n4 0 1 2 3\n", "has 4 corners"),
+                              ("q.off", "OFF 4 1 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n4 0 1 2 3\n", "triangulate=True cuts"),
                               ("d.off", "OFF 3 1 0\n0 0 0\n1 0 0\n1 1 0\n3 0 1 1\n", "twice")]:
         with pytest.raises(ValueError, match=words):
             ts.read_mesh(write(tmp_path, name, text))

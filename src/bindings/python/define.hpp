@@ -15,7 +15,7 @@ void define_queries(py::module_& module);
 void define_mesh(py::module_& module);
 /// The questions about meshes, and what they return.
 void define_meshes(py::module_& module);
-/// `read_mesh_file`.
+/// `MeshReader` and `frame_files`.
 void define_mesh_files(py::module_& module);
 void define_curved(py::module_& module);
 void define_proofs(py::module_& module);

@@ -4,12 +4,18 @@
 #include <pybind11/stl.h>
 
 #include <atomic>
+#include <memory>
 #include <string>
+#include <utility>
 #include <vector>
+
+#include <touchstone/error.hpp>
 
 #include "frames/formats.hpp"
 #include "python/background.hpp"
 #include "python/define.hpp"
+#include "sequence/frame_order.hpp"
+#include "sequence/repairs.hpp"
 
 namespace touchstone::python {
 namespace {
@@ -21,27 +27,78 @@ py::array array_of(const Rows& rows, py::ssize_t width) {
   return py::array(py::dtype::of<Number>(), {count / width, width}, {}, rows.data());
 }
 
-frames::MeshFile read(const std::string& file, bool triangulate) {
-  const frames::Format format = frames::format_of(file);
-  if (format >= frames::Format::npy) {
-    throw FileError(file +
-                    ": holds positions without elements, which Mesh takes; NumPy and h5py read those of .npy and .h5");
+/// What `work` returns. A message names the options of the program; here it names the arguments of Python.
+template <class Work>
+auto in_words_of_python(const Work& work) {
+  try {
+    return work();
+  } catch (const FileError& error) {
+    std::string text = error.what();
+    for (const auto& [option, argument] : {std::pair{"--triangulate", "triangulate=True"}, {"--weld", "weld=True"}}) {
+      for (std::size_t at = 0; (at = text.find(option, at)) != std::string::npos;) {
+        text.replace(at, std::string(option).size(), argument);
+      }
+    }
+    throw FileError(text);
   }
-  const io::WholeFile content = frames::read_content(file, nullptr);
-  return frames::read_mesh(format, file, content.bytes(), triangulate);
 }
 
-py::tuple read_mesh_file(const std::string& file, bool triangulate) {
-  constexpr std::size_t kLong = std::size_t{1} << 20;  // a thread of its own hears Ctrl-C
-  const frames::MeshFile mesh = in_background(kLong, [&](const std::atomic<bool>&) { return read(file, triangulate); });
-  const frames::Topology& topology = mesh.topology;
-  return py::make_tuple(array_of<double>(mesh.positions, 3), array_of<MeshIndex>(topology.faces, 3),
-                        array_of<MeshIndex>(topology.edges, 2), array_of<MeshIndex>(topology.points, 0), topology.parts,
-                        array_of<std::uint32_t>(topology.face_parts, 0));
+/// Reads mesh files and mends them: one, or the frames of one animation.
+class MeshReader {
+ public:
+  using BoundToPython = void;
+
+  MeshReader(bool triangulate, const sequence::RepairOptions& repairs)
+      : triangulate_(triangulate), repairs_(repairs, false) {}
+
+  /// (positions, faces, edges, points, parts, face_parts, welded_vertices, dropped_elements)
+  py::tuple read(const std::string& file) {
+    constexpr std::size_t kLong = std::size_t{1} << 20;  // a thread of its own hears Ctrl-C
+    const frames::Frame frame = in_background(
+        kLong, [&](const std::atomic<bool>&) { return in_words_of_python([&] { return frame_of(file); }); });
+    const frames::Topology& topology = *frame.topology;
+    return py::make_tuple(array_of<double>(frame.positions, 3), array_of<MeshIndex>(topology.faces, 3),
+                          array_of<MeshIndex>(topology.edges, 2), array_of<MeshIndex>(topology.points, 0),
+                          topology.parts, array_of<std::uint32_t>(topology.face_parts, 0), topology.welded_vertices,
+                          topology.dropped_elements);
+  }
+
+ private:
+  frames::Frame frame_of(const std::string& file) {
+    const frames::Format format = frames::format_of(file);
+    if (format >= frames::Format::npy) {
+      throw FileError(file +
+                      ": holds positions without elements, which Mesh takes; NumPy and h5py read those of .npy "
+                      "and .h5");
+    }
+    const io::WholeFile content = frames::read_content(file, nullptr);
+    frames::MeshFile mesh = frames::read_mesh(format, file, content.bytes(), triangulate_);
+    frames::Frame frame{
+        std::make_shared<const frames::Topology>(std::move(mesh.topology)), std::move(mesh.positions), {}};
+    repairs_.mend(frame, {file});
+    return frame;
+  }
+
+  bool triangulate_;
+  sequence::Repairs repairs_;
+};
+
+/// The files of patterns and folders, in the order given or that of their numbers.
+std::vector<std::string> frame_files(const std::vector<std::string>& names, bool in_order) {
+  return in_order ? sequence::as_given(names)
+                  : sequence::in_order(sequence::expand_patterns(names), sequence::Gaps::refused,
+                                       "in_order=True takes the files in the order given");
 }
 
 }  // namespace
 
-void define_mesh_files(py::module_& module) { module.def("read_mesh_file", &read_mesh_file); }
+void define_mesh_files(py::module_& module) {
+  define_class<MeshReader>(module, "MeshReader", "Reads mesh files: one, or the frames of one animation.")
+      .def(py::init([](bool triangulate, bool weld, bool drop_degenerate) {
+        return MeshReader(triangulate, {weld, false, drop_degenerate});
+      }))
+      .def("read", &MeshReader::read);
+  module.def("frame_files", &frame_files);
+}
 
 }  // namespace touchstone::python

@@ -36,7 +36,7 @@ from ._queries import contact_normal, contact_times, distance, solve, toi_gradie
 from ._curved import CurvedQueries, OnBody, OnCurves
 from ._fuzzing import fuzz
 from ._judging import Certificate, Verdict, certify
-from ._mesh_files import MeshFile, as_mesh, read_frames, read_mesh
+from ._mesh_files import Frames, MeshFile, as_mesh, read_frames, read_mesh
 from ._meshes import (all_contacts, candidates, closest_approach, first_contact, free_step, intersections,
                       intersects)
 from ._proofs import Checked, Proofs, check, prove
@@ -46,8 +46,8 @@ from ._pages import save_page
 
 __all__ = [
     "Answer", "Answers", "Certificate", "Checked", "ClosestApproach", "CurvedQueries", "Distance", "Distances",
-    "ExactTime", "Feature", "Finding", "FirstContact", "FreeStep", "FuzzReport", "Intersections", "Level", "Mesh",
-    "MeshFile", "MeshSteps", "Nature", "OnBody", "OnCurves", "Pairs", "Proofs", "Shown", "ShownMesh", "Trend",
+    "ExactTime", "Feature", "Finding", "FirstContact", "Frames", "FreeStep", "FuzzReport", "Intersections", "Level",
+    "Mesh", "MeshFile", "MeshSteps", "Nature", "OnBody", "OnCurves", "Pairs", "Proofs", "Shown", "ShownMesh", "Trend",
     "Verdict", "all_contacts", "as_mesh", "candidates", "certify", "check", "closest_approach", "contact_normal",
     "contact_times", "distance", "first_contact", "free_step", "fuzz", "intersections", "intersects", "prove",
     "read_frames", "read_mesh", "save_page", "show", "show_mesh", "solve", "toi_gradient"

@@ -2,7 +2,7 @@
 from __future__ import annotations
 
 import os
-from typing import Any, Iterable, List, NamedTuple, Tuple, Union
+from typing import Any, Iterable, List, NamedTuple, Optional, Tuple, Union
 
 import numpy as np
 import numpy.typing as npt
@@ -11,24 +11,45 @@ from . import _core
 from ._core import Mesh
 
 
-class MeshFile(NamedTuple):
-    """A mesh of a file: `mesh`, `positions` (n, 3), the names of its objects or groups as `parts`, and `face_parts`, the
-    index into them of each face, empty without names."""
+class _FileFields(NamedTuple):
     mesh: Mesh
     positions: npt.NDArray[np.float64]
     parts: List[str]
     face_parts: npt.NDArray[np.uint32]
 
 
-_Arrays = Tuple[Any, Any, Any, Any, List[str], Any]
+class _FramesFields(NamedTuple):
+    mesh: Mesh
+    positions: npt.NDArray[np.float64]
 
 
-def _read(path: Union[str, os.PathLike[str]], triangulate: bool) -> _Arrays:
-    return _core.read_mesh_file(os.fsdecode(path), triangulate)
+class _Mended:
+    welded_vertices = 0
+    dropped_elements = 0
+
+
+class MeshFile(_FileFields, _Mended):
+    """A mesh of a file: `mesh`, `positions` (n, 3), the names of its objects or groups as `parts`, and `face_parts`,
+    the index into them of each face, empty without names. The attributes `welded_vertices` and `dropped_elements` count
+    what `weld` and `drop_degenerate` changed."""
+
+
+class Frames(_FramesFields, _Mended):
+    """The frames of an animation: the `mesh` that all have, and `positions` of shape (frames, n, 3). The attributes
+    `welded_vertices` and `dropped_elements` count what `weld` and `drop_degenerate` changed."""
+
+
+_Path = Union[str, os.PathLike[str]]
+_Arrays = Tuple[Any, Any, Any, Any, List[str], Any, int, int]
+
+
+def _counted(result: Any, arrays: _Arrays) -> Any:
+    result.welded_vertices, result.dropped_elements = arrays[6:]
+    return result
 
 
 def _mesh_of(arrays: _Arrays, path: Any, between_parts: bool) -> Mesh:
-    positions, faces, edges, points, parts, face_parts = arrays
+    positions, faces, edges, points, parts, face_parts = arrays[:6]
     # Vertices in no element of the file do not collide, and corners are no loose points.
     loose = np.setdiff1d(points, np.concatenate([faces.ravel(), edges.ravel()]))
     if not between_parts:
@@ -123,7 +144,8 @@ def as_mesh(thing: Any) -> MeshFile:
     return MeshFile(mesh, at, [], np.empty(0, np.uint32))
 
 
-def read_mesh(path: Union[str, os.PathLike[str]], *, triangulate: bool = False, between_parts: bool = False) -> MeshFile:
+def read_mesh(path: _Path, *, triangulate: bool = False, between_parts: bool = False, weld: bool = False,
+              drop_degenerate: bool = False) -> MeshFile:
     """The mesh of a file in one of the program's formats: .obj, .ply, .stl, .vtk, .vtu, .vtp, .off, .msh, .gltf or
     .glb.
 
@@ -132,8 +154,13 @@ def read_mesh(path: Union[str, os.PathLike[str]], *, triangulate: bool = False, 
     triangulate    whether polygons of more than three corners are cut into triangles that share the first corner;
                    without it they are errors
     between_parts  whether pairs within one object or group of the file never collide
+    weld           whether elements name the first of the vertices of one object or group at exactly one position in
+                   place of the others: for files with a vertex for each face. The others stay, and are in no element
+    drop_degenerate  whether faces and edges that name a vertex twice, or the vertices of one before them, are left out;
+                   without it they are errors
 
-    Returns a MeshFile with mesh, positions, parts and face_parts. Vertices are numbered from 0. Raises ValueError for
+    Returns a MeshFile with mesh, positions, parts and face_parts; its attributes welded_vertices and dropped_elements
+    count what was mended. Vertices are numbered from 0. Raises ValueError for
     what the reader does not understand completely: the message names the file and the line, and what would be right.
 
     >>> import pathlib, tempfile, touchstone
@@ -143,43 +170,56 @@ def read_mesh(path: Union[str, os.PathLike[str]], *, triangulate: bool = False, 
     >>> file.mesh, file.positions[2].tolist()
     (<Mesh: 4 vertices, 1 faces, 3 edges, 1 loose points>, [0.0, 0.1, 0.0])
     """
-    arrays = _read(path, triangulate)
-    return MeshFile(_mesh_of(arrays, path, between_parts), arrays[0], arrays[4], arrays[5])
+    arrays = _core.MeshReader(triangulate, weld, drop_degenerate).read(os.fsdecode(path))
+    return _counted(MeshFile(_mesh_of(arrays, path, between_parts), arrays[0], arrays[4], arrays[5]), arrays)
 
 
-def read_frames(paths: Iterable[Union[str, os.PathLike[str]]], *, triangulate: bool = False,
-                between_parts: bool = False) -> Tuple[Mesh, npt.NDArray[np.float64]]:
+def _frame_files(paths: Union[_Path, Iterable[_Path]], in_order: Optional[bool]) -> List[str]:
+    if isinstance(paths, (str, bytes, os.PathLike)):
+        if os.path.isfile(paths):
+            raise TypeError("paths must be several files, a folder or a pattern; read_mesh reads one")
+        return _core.frame_files([os.fsdecode(paths)], bool(in_order))
+    return _core.frame_files([os.fsdecode(path) for path in paths], in_order is None or in_order)
+
+
+def read_frames(paths: Union[_Path, Iterable[_Path]], *, in_order: Optional[bool] = None, triangulate: bool = False,
+                between_parts: bool = False, weld: bool = False, drop_degenerate: bool = False) -> Frames:
     """The frames of an animation: the mesh that all files have, and their positions, of shape (frames, n, 3).
 
-    paths  the files in the order of the frames; the other arguments are those of `read_mesh`
+    paths     the files, or a folder, or a pattern such as 'cloth-*.obj', which stand for their files
+    in_order  True: the frames have the order of `paths`, whatever the files are called, and the files of a pattern have
+              the order of their numbers. False: all are in the order of their numbers, cloth-2.obj before cloth-10.obj,
+              and a number that is missing is an error, as in `touchstone mesh`. None, the default, is True for a list,
+              and False for one folder or pattern
+    weld      as in `read_mesh`; the first frame says which vertices, and a frame where they are apart is an error
+    The other arguments are those of `read_mesh`
 
-    Raises ValueError for what `read_mesh` raises it, for no file, and for a file with other elements than the first.
+    Returns Frames, a tuple (mesh, positions) with the attributes welded_vertices and dropped_elements. Raises
+    ValueError for what `read_mesh` raises it, for no file, and for a file with other elements than the first.
 
     >>> import pathlib, tempfile, touchstone
     >>> folder = pathlib.Path(tempfile.mkdtemp())
     >>> for z in range(2):
     ...     text = f'OFF 4 2 0\\n0 0 {z}\\n1 0 0\\n0 1 0\\n9 9 9\\n3 0 1 2\\n1 3\\n'
     ...     _ = (folder / f'{z}.off').write_text(text)
-    >>> mesh, x = touchstone.read_frames(sorted(folder.glob('*.off')))
+    >>> mesh, x = touchstone.read_frames(folder / '*.off')
     >>> x.shape, touchstone.first_contact(mesh, x[0], x[1]).free
     ((2, 4, 3), True)
     """
-    if isinstance(paths, (str, bytes, os.PathLike)):
-        raise TypeError("paths must be several files; read_mesh reads one")
-    names = list(paths)
+    names = _frame_files(paths, in_order)
     if not names:
         raise ValueError("paths is empty; it must be the files of the frames")
-    first = _read(names[0], triangulate)
+    reader = _core.MeshReader(triangulate, weld, drop_degenerate)
+    first = reader.read(names[0])
     mesh = _mesh_of(first, names[0], between_parts)
     positions = [first[0]]
     for name in names[1:]:
-        arrays = _read(name, triangulate)
+        arrays = reader.read(name)
         for what, one, other in zip(("vertices", "faces", "edges", "points"), first, arrays):
             same = one.shape == other.shape and (what == "vertices" or np.array_equal(one, other))
             if not same:
-                raise ValueError(f"{os.fspath(name)} has other {what} than {os.fspath(names[0])}; all frames must "
-                                 "have the same elements")
+                raise ValueError(f"{name} has other {what} than {names[0]}; all frames must have the same elements")
         if between_parts and (arrays[4] != first[4] or not np.array_equal(arrays[5], first[5])):
-            raise ValueError(f"{os.fspath(name)} has other parts than {os.fspath(names[0])}, and between_parts is True")
+            raise ValueError(f"{name} has other parts than {names[0]}, and between_parts is True")
         positions.append(arrays[0])
-    return mesh, np.stack(positions)
+    return _counted(Frames(mesh, np.stack(positions)), first)
