@@ -109,8 +109,8 @@ void define_answers(py::module_& module) {
   const auto items = [](const Answers& self) -> const std::vector<Answer>& { return self.all(); };
   define_items(
       answers, "answer", items, [](const Answer& answer) { return answer; },
-      [](const Answers& self, const std::vector<std::size_t>& places) {
-        return Answers(items_at(self.all(), places));
+      [](const Answers& self, const std::vector<std::size_t>& chosen) {
+        return Answers(items_at(self.all(), chosen));
       });
   answers.def("__repr__", [](const Answers& self) { return text_of(self); });
   column<bool>(answers, "contact", &Answer::contact, "(n,) bool: whether the elements touch at any time in [0, t_max]");

@@ -233,18 +233,18 @@ std::vector<std::uint32_t> indices(py::handle values, const char* what) {
   return all;
 }
 
-std::vector<std::size_t> places_of(const py::object& several, std::size_t count, const char* what) {
-  std::vector<std::size_t> places;
+std::vector<std::size_t> chosen_of(const py::object& several, std::size_t count, const char* what) {
+  std::vector<std::size_t> chosen;
   if (py::isinstance<py::slice>(several)) {
     std::size_t start = 0, stop = 0, step = 0, size = 0;
     if (!several.cast<py::slice>().compute(count, &start, &stop, &step, &size)) throw py::error_already_set();
-    places.reserve(size);
-    for (std::size_t i = 0; i < size; ++i, start += step) places.push_back(start);
-    return places;
+    chosen.reserve(size);
+    for (std::size_t i = 0; i < size; ++i, start += step) chosen.push_back(start);
+    return chosen;
   }
   const auto array = array_helper("places")(several, count, what).cast<py::array_t<std::int64_t>>();
-  places.assign(array.data(), array.data() + array.size());
-  return places;
+  chosen.assign(array.data(), array.data() + array.size());
+  return chosen;
 }
 
 std::vector<double> numbers(py::handle values, const char* what) {

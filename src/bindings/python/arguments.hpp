@@ -121,10 +121,10 @@ std::vector<std::array<std::uint32_t, N>> index_rows(py::handle values, const ch
 /// The same of shape (rows,).
 std::vector<std::uint32_t> indices(py::handle values, const char* what);
 
-/// The places of a slice, a mask or several whole numbers, which count from the end where they are negative.
+/// The numbers of a slice, a mask or several whole numbers, which count from the end where they are negative.
 /// @param count, what  how many items there are, and what one of them is called
-/// @throws IndexError  also for a place that is not there, or a mask of another length
-std::vector<std::size_t> places_of(const py::object& several, std::size_t count, const char* what);
+/// @throws IndexError  also for a number that is not there, or a mask of another length
+std::vector<std::size_t> chosen_of(const py::object& several, std::size_t count, const char* what);
 
 /// Numbers of shape (rows,). None is no row.
 std::vector<double> numbers(py::handle values, const char* what);

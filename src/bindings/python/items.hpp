@@ -22,13 +22,13 @@ const Item& item_of(const std::vector<Item>& items, py::ssize_t i, const char* w
   return items[static_cast<std::size_t>(i < 0 ? i + size : i)];
 }
 
-/// The items at these places; none of an empty list, which is that of a column without values.
+/// The items with these numbers; none of an empty list, which is that of a column without values.
 template <class Item>
-std::vector<Item> items_at(const std::vector<Item>& items, const std::vector<std::size_t>& places) {
+std::vector<Item> items_at(const std::vector<Item>& items, const std::vector<std::size_t>& chosen) {
   std::vector<Item> some;
   if (items.empty()) return some;
-  some.reserve(places.size());
-  for (const std::size_t place : places) some.push_back(items[place]);
+  some.reserve(chosen.size());
+  for (const std::size_t i : chosen) some.push_back(items[i]);
   return some;
 }
 
@@ -36,13 +36,13 @@ std::vector<Item> items_at(const std::vector<Item>& items, const std::vector<std
 /// @param what   what an item is called in messages
 /// @param items  the list whose items are counted
 /// @param one    what an item is in Python
-/// @param some   the result of several places
+/// @param some   the result of several numbers
 template <class T, class Items, class One, class Some>
 void define_items(py::class_<T>& bound, const char* what, const Items& items, const One& one, const Some& some) {
   bound.def("__len__", [items](const T& self) { return items(self).size(); })
       .def("__getitem__", [=](const T& self, py::ssize_t i) { return one(item_of(items(self), i, what)); })
       .def("__getitem__", [=](const T& self, const py::object& several) {
-        return some(self, places_of(several, items(self).size(), what));
+        return some(self, chosen_of(several, items(self).size(), what));
       });
 }
 

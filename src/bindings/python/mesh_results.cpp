@@ -23,8 +23,8 @@ void define_pairs(py::module_& module) {
   const auto items = [](const Pairs& self) -> const std::vector<MeshPair>& { return self.pairs; };
   define_items(
       pairs, "pair", items, [](const MeshPair& pair) { return tuple_of(pair); },
-      [](const Pairs& self, const std::vector<std::size_t>& places) {
-        return Pairs{items_at(self.pairs, places), items_at(self.separations, places), items_at(self.answers, places)};
+      [](const Pairs& self, const std::vector<std::size_t>& chosen) {
+        return Pairs{items_at(self.pairs, chosen), items_at(self.separations, chosen), items_at(self.answers, chosen)};
       });
   pairs.def("__repr__", [](const Pairs& self) { return "<Pairs: " + std::to_string(self.pairs.size()) + ">"; })
       .def_property_readonly(
@@ -73,8 +73,8 @@ void define_intersections(py::module_& module) {
         return py::make_tuple(std::string(name_of(one.first_element)), one.first,
                               std::string(name_of(one.second_element)), one.second, std::string(name_of(one.sort)));
       },
-      [](const Intersections& self, const std::vector<std::size_t>& places) {
-        return Intersections{items_at(self.all, places)};
+      [](const Intersections& self, const std::vector<std::size_t>& chosen) {
+        return Intersections{items_at(self.all, chosen)};
       });
   found.def("__repr__",
             [](const Intersections& self) { return "<Intersections: " + std::to_string(self.all.size()) + ">"; });

@@ -9,7 +9,7 @@
 #include "exact/exact.hpp"
 #include "fuzz/judging/finding_text.hpp"
 #include "python/arguments.hpp"
-#include "python/chunks.hpp"
+#include "python/background.hpp"
 #include "python/define.hpp"
 #include "python/query_arrays.hpp"
 #include "view/pages/findings_page.hpp"

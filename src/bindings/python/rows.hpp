@@ -7,7 +7,7 @@
 
 #include <touchstone/error.hpp>
 
-#include "python/chunks.hpp"
+#include "python/background.hpp"
 #include "threads/for_each_range.hpp"
 
 namespace touchstone::python {

@@ -15,7 +15,7 @@
 
 #include "python/answers.hpp"
 #include "python/arguments.hpp"
-#include "python/chunks.hpp"
+#include "python/background.hpp"
 #include "python/items.hpp"
 #include "python/pickles.hpp"
 #include "python/query_arrays.hpp"
@@ -220,8 +220,8 @@ void define_distances(py::module_& module) {
   const auto items = [](const Distances& self) -> const std::vector<Distance>& { return self.all; };
   define_items(
       distances, "distance", items, [](const Distance& distance) { return distance; },
-      [](const Distances& self, const std::vector<std::size_t>& places) {
-        return Distances{items_at(self.all, places)};
+      [](const Distances& self, const std::vector<std::size_t>& chosen) {
+        return Distances{items_at(self.all, chosen)};
       });
   distances.def("__repr__",
                 [](const Distances& self) { return "<Distances: " + std::to_string(self.all.size()) + ">"; });
