@@ -191,7 +191,7 @@ std::vector<std::string> warnings_of(const Heading& heading, const std::vector<F
 }
 
 std::string likely_cause(const Heading& heading, const ResultCounts& counts) {
-  if (counts.own_neighbours > counts.coinciding) {
+  if (!heading.self && counts.own_neighbours > counts.coinciding) {
     return fmt::format(
         "{} within the separation at the start of a step {} by one edge: a surface is always so near itself; --self "
         "LENGTH asks such neighbours about touching alone, and --between-parts asks about none within a part",
