@@ -64,7 +64,7 @@ Definition check (q : query) (a : answer) (p : proof) : bool :=
      | No_contact => cover s A B false 0 (pieces p) (last_piece p) 1
      | Contact_at T =>
          double T (mantissa p) (places p) && at_most T 1
-         && (Z.eqb (Qnum T) 0 || cover s A B true 0 (pieces p) (last_piece p) T)
+         && (if Z.eqb (Qnum T) 0 then true else cover s A B true 0 (pieces p) (last_piece p) T)
          && meeting s (span_of T T) [(- Qnum T)%Z; Zpos (Qden T)] A B ws us
      | Contact_between T U =>
          let i := span_of (lower p) (upper p) in
