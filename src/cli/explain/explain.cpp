@@ -30,7 +30,7 @@ int run_explain(const ExplainOptions& options) {
   const Input input = find_inputs({options.query.file}, options.query.kind, options.query.decimals).front();
   if (options.html == "-") throw Error("--html: name a file to write, standard output has the story");
   if (!options.html.empty()) refuse_to_overwrite(options.html, {options.query.file});
-  const auto found = find_query(input, options.query);
+  const auto found = find_query(input, options.query.query, options.query.turns);
   const auto& record = found->record;
   const Separation& separation = options.query.separation.separation;
   const Explanation explanation = explanation_of(record, options.query);
@@ -59,7 +59,7 @@ struct ViewOptions {
 int run_view(const ViewOptions& options) {
   const Input input = find_inputs({options.query.file}, options.query.kind, options.query.decimals).front();
   refuse_to_overwrite(options.out, {options.query.file});
-  const auto found = find_query(input, options.query);
+  const auto found = find_query(input, options.query.query, options.query.turns);
   const Explanation explanation = explanation_of(found->record, options.query);
   const std::uint64_t size = write_query_page(options.out, input, found->record, explanation, options.query);
   if (options.out == "-") return kAllHold;

@@ -17,11 +17,8 @@
 #include "cli/explain/story.hpp"
 #include "cli/shared/command_line/common_options.hpp"
 #include "cli/shared/command_line/turns.hpp"
-#include "cli/shared/progress/interrupt.hpp"
 #include "cli/shared/words.hpp"
-#include "io/fail.hpp"
 #include "io/output_file.hpp"
-#include "io/queries/separation_text.hpp"
 #include "io/times.hpp"
 #include "solver/ladder.hpp"
 #include "view/pages/query_page.hpp"
@@ -57,38 +54,8 @@ Explanation explained(const AQuery& query, const io::QueryRecord& record, const 
 
 }  // namespace
 
-std::unique_ptr<FoundQuery> find_query(const Input& input, const OneQuery& options) {
-  const std::uint64_t number = options.query;
-  io::QueryChunkReader reader(input.open(), input.kind, io::kChunkBytes, io::Motions::any, input.decimals);
-  std::uint64_t count = 0;
-  auto found = std::make_unique<FoundQuery>();
-  while (auto chunk = reader.next()) {
-    throw_if_interrupted();
-    if (chunk->first_query == 0) found->truth_separation = io::stated_separation(*chunk);
-    count += chunk->query_count;
-    if (number >= count && !chunk->truncated) continue;
-    found->chunk = std::move(*chunk);
-    io::QueryParser parser(found->chunk, options.turns);
-    while (parser.next(found->record)) {
-      if (found->record.number != number) continue;
-      const std::vector<Input> inputs = {input};
-      TurnNotes turns(inputs, options.turns);
-      turns.add(0, found->record.longer_turns);
-      turns.tell();
-      return found;
-    }
-  }
-  io::fail(input.name, fmt::format("has no query {}; it has {}, counted from 0", number, counted(count, "query")));
-}
-
 Explanation explanation_of(const io::QueryRecord& record, const OneQuery& options) {
   return std::visit([&](const auto& query) { return explained(query, record, options); }, record.query);
-}
-
-std::string heading(const Input& input, const io::QueryRecord& record) {
-  const char* const motion = std::holds_alternative<CurvedQuery>(record.query) ? ", curved motion" : "";
-  return fmt::format("query {} of {} (rows {} to {}), {}{}", record.number, io::printable(input.name), record.first_row,
-                     record.last_row, name_of(input.kind), motion);
 }
 
 std::uint64_t write_query_page(const std::string& path, const Input& input, const io::QueryRecord& record,
@@ -110,9 +77,7 @@ void add_one_query_options(CLI::App& subcommand, OneQuery& options) {
   subcommand.add_option("--query", options.query, "The number of the query in the file, counted from 0")
       ->required()
       ->type_name("N")
-      ->check([](const std::string& text) {
-        return check_whole_number(text).empty() ? std::string() : text + " must be a number counted from 0";
-      });
+      ->check(check_query_number);
   add_kind_option(subcommand, options.kind);
   add_decimals_option(subcommand, options.decimals);
   add_shorter_turn_option(subcommand, options.turns);

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <cstdint>
-#include <memory>
 #include <optional>
 #include <string>
 
@@ -11,9 +10,9 @@
 
 #include "cli/shared/command_line/command.hpp"
 #include "cli/shared/command_line/separation_options.hpp"
+#include "cli/shared/found_query.hpp"
 #include "cli/shared/inputs.hpp"
 #include "exact/exact.hpp"
-#include "io/queries/query_chunks.hpp"
 #include "io/queries/query_parser.hpp"
 
 namespace touchstone::cli {
@@ -32,25 +31,12 @@ struct OneQuery {
 /// The options of both commands. They are written into `options`, which must outlive the parser.
 void add_one_query_options(CLI::App& subcommand, OneQuery& options);
 
-/// A query and the piece of the file that holds it. Only that piece is parsed.
-struct FoundQuery {
-  std::optional<Separation> truth_separation;  ///< what the file says that its truth column is about
-  io::QueryChunk chunk;                        ///< record.text lies in here
-  io::QueryRecord record;
-};
-
-/// Tells of the longer turn of a body, too. @throws FileError  for a file that has no such query
-std::unique_ptr<FoundQuery> find_query(const Input& input, const OneQuery& options);
-
 struct Explanation {
   std::string corners;  ///< whole lines
   std::string text;     ///< whole lines, after the corners
   exact::Story story;
 };
 Explanation explanation_of(const io::QueryRecord& record, const OneQuery& options);
-
-/// "query 3 of a.csv (rows 25 to 32), edge-edge"
-std::string heading(const Input& input, const io::QueryRecord& record);
 
 /// Writes the page of a query. @returns its size in bytes @throws FileError
 std::uint64_t write_query_page(const std::string& path, const Input& input, const io::QueryRecord& record,

@@ -21,12 +21,15 @@ std::string turns_argument(io::Turns turns);
 inline constexpr const char* kConvertForShorterTurns =
     "convert --shorter-turn --claims solve writes a file with the shorter ones";
 
+/// The same, where it has the option.
+inline constexpr const char* kTakeShorterTurns = "--shorter-turn takes the shorter ones";
+
 /// The longer turns of several files.
 class TurnNotes {
  public:
   /// @param advice  what to do for shorter turns
   explicit TurnNotes(const std::vector<Input>& inputs, io::Turns turns = io::Turns::as_given,
-                     std::string advice = "--shorter-turn takes the shorter ones");
+                     std::string advice = kTakeShorterTurns);
 
   void add(std::size_t input, const io::LongerTurns& turns) { turns_[input].merge(turns); }
 
