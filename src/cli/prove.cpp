@@ -5,8 +5,12 @@
 
 #include <CLI/CLI.hpp>
 #include <memory>
+#include <variant>
+
+#include <touchstone/error.hpp>
 
 #include "cli/shared/command_line/turns.hpp"
+#include "cli/shared/found_query.hpp"
 #include "cli/shared/inputs.hpp"
 #include "cli/shared/progress/pipeline.hpp"
 #include "cli/shared/progress/query_progress.hpp"
@@ -16,6 +20,7 @@
 #include "io/fail.hpp"
 #include "io/output_file.hpp"
 #include "io/queries/query_parser.hpp"
+#include "proofs/theorem.hpp"
 
 namespace touchstone::cli {
 namespace {
@@ -39,17 +44,50 @@ void prove_queries(ProveItem& item, const std::vector<Input>& inputs, const Prov
   }
 }
 
+std::string shorter_turns() {
+  return std::string("a proof is about the file's own queries: ") + kConvertForShorterTurns;
+}
+
+/// Writes the theorem about one query.
+int write_theorem(const ProveOptions& options, const std::vector<Input>& inputs, std::uint64_t number) {
+  if (inputs.size() != 1) throw Error("--theorem: a theorem is about one query: name one file");
+  const Input& input = inputs[0];
+  const Separation& separation = options.separation.separation;
+  const std::string digest = digest_of(input);  // of the file before it is read
+  const auto found = find_query(input, number, io::Turns::as_given, shorter_turns());
+  refuse_decimals(found->chunk);
+  const io::QueryRecord& record = found->record;
+  const proofs::TheoremTitle title{fmt::format("query_{}", number),
+                                   heading(input, record) + "; SHA-256 of the file " + digest};
+  std::string text;
+  try {
+    const Answer answer = answer_to(record.query, options.method, separation);
+    text = std::visit([&](const auto& query) { return proofs::theorem_of(title, query, answer, separation); },
+                      record.query);
+  } catch (const Error& error) {
+    io::fail(input.name, record.first_row, fmt::format("query {}: {}", number, error.what()));
+  }
+  auto out = options.out == "-" ? io::OutputFile::standard_output() : io::OutputFile(options.out);
+  out.write(text);
+  out.commit();
+  if (options.out == "-") return kAllHold;
+  auto console = io::OutputFile::standard_output();
+  console.write(fmt::format("{}: a theorem in {}\n", heading(input, record), io::printable(options.out)));
+  console.commit();
+  return kAllHold;
+}
+
 }  // namespace
 
 int run_prove(const ProveOptions& options) {
   const std::vector<Input> inputs = find_inputs(options.files, options.kind);
   refuse_to_overwrite(options.out, options.files);
+  if (options.theorem) return write_theorem(options, inputs, *options.theorem);
   ProofFile out(options.out, inputs);
 
   QueryStream stream(inputs, options.chunk_bytes, io::Motions::any);
   Counts counts;
-  TurnNotes turns(inputs, io::Turns::as_given,
-                  std::string("a proof is about the file's own queries: ") + kConvertForShorterTurns);
+  TurnNotes turns(inputs, io::Turns::as_given, shorter_turns());
   QueryProgress progress(inputs);
   const int threads = run_in_order<ProveItem>(
       thread_count(options.threads), [&](ProveItem& item) { return stream.next(item); },
@@ -85,7 +123,12 @@ void add_prove(CLI::App& program, Command& command) {
   add_separation_options(*subcommand, options->separation, "The distance at which two elements are in contact");
   subcommand->add_option("--out", options->out, "The file for the proofs (default: standard output)")
       ->type_name("FILE")
-      ->check(named_as("text", {".txt"}));
+      ->check(named_as("text", {".txt", ".v"}));
+  subcommand
+      ->add_option("--theorem", options->theorem,
+                   "Write a theorem of Coq about this query of the file, counted from 0, in place of the proofs")
+      ->type_name("N")
+      ->check(check_query_number);
   subcommand->add_option("--threads", options->threads, "The number of threads (default: all that the machine has)")
       ->type_name("N")
       ->check([](const std::string& text) { return check_whole_number(text, 1, 1024); });
@@ -97,6 +140,10 @@ void add_prove(CLI::App& program, Command& command) {
       "The file appears when it is complete. The program touchstone-check reads the proofs and the query files and\n"
       "checks them:\n\n"
       "  touchstone prove --out proofs.txt edge-edge/a.csv && touchstone-check proofs.txt edge-edge/a.csv\n\n"
+      "With --theorem N the file is for Coq's program coqc. Its last lines are a theorem about query N that a person "
+      "can\n"
+      "read. The page docs/proved.md says how it is checked:\n\n"
+      "  touchstone prove --theorem 3 --out query_3.v edge-edge/a.csv\n\n"
       "Exit status: 0 done, 2 bad usage or bad input; a file without a query has nothing to prove, and is bad input.");
   subcommand->callback([options, &command] { command = [options] { return run_prove(*options); }; });
 }

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstdint>
+#include <optional>
 #include <string>
 
 #include "cli/shared/command_line/command.hpp"
@@ -11,6 +13,7 @@ namespace touchstone::cli {
 
 struct ProveOptions : QueryOptions {
   std::string out = "-";
+  std::optional<std::uint64_t> theorem;  ///< the one query to prove, as a theorem of Coq
 };
 
 int run_prove(const ProveOptions& options);

@@ -70,6 +70,51 @@ TEST_CASE("prove refuses what it cannot read, and leaves no file") {
   CHECK(run_program({"prove", "--out", bad, bad}).status == 2);
 }
 
+TEST_CASE("a theorem is about one query of one file") {
+  const TemporaryFolder folder;
+  const std::string file = folder.write("point-point/a \"*).csv", two_point_queries());
+  const std::string out = folder.path("query_0.v");
+  const Run written = run_program({"prove", "--theorem", "0", "--out", out, file});
+  CAPTURE(written.err);
+  REQUIRE(written.status == 0);
+  CHECK(written.out == "query 0 of " + file + " (rows 1 to 4), point-point: a theorem in " + out + "\n");
+  const std::string text = folder.read("query_0.v");
+  CAPTURE(text);
+  CHECK(run_program({"prove", "--theorem", "0", file}).out == text);
+  CHECK(first_line(text).rfind("(* query 0 of ", 0) == 0);
+  CHECK(occurrences(first_line(text), "/a \\x22\\x2a).csv (rows 1 to 4), point-point; SHA-256 of the file " +
+                                          io::sha256(two_point_queries())) == 1);
+  CHECK(occurrences(text, "\nTheorem query_0 : holds\n") == 1);
+  CHECK(occurrences(run_program({"prove", "--theorem", "1", file}).out, "\n  No_contact.\n") == 1);
+  CHECK(occurrences(run_program({"prove", "--theorem", "1", "--separation", "1", "--metric", "max", file}).out,
+                    "apart := Max 1 |}\n  (Contact_at 0).\n") == 1);
+}
+
+TEST_CASE("--theorem refuses what names no query, and leaves no file") {
+  const TemporaryFolder folder;
+  const std::string file = folder.write("point-point/a.csv", two_point_queries());
+  const std::string out = folder.path("t.v");
+  const auto refused = [&](const std::vector<std::string>& arguments, const std::string& reason) {
+    std::vector<std::string> all = {"prove", "--out", out};
+    all.insert(all.end(), arguments.begin(), arguments.end());
+    const Run run = run_program(all);
+    CAPTURE(arguments, run.out, run.err);
+    CHECK(run.status == 2);
+    CHECK(run.out == "");
+    CHECK(occurrences(run.err, reason) == 1);
+    CHECK_FALSE(std::filesystem::exists(out));
+  };
+  refused({"--theorem", "2", file}, file + ": has no query 2; it has 2 queries, counted from 0");
+  refused({"--theorem", "-1", file}, "-1 must be a number counted from 0");
+  refused({"--theorem", "x", file}, "x must be a number counted from 0");
+  refused({"--theorem", "0", file, file}, "--theorem: a theorem is about one query: name one file");
+  refused({file, "--theorem"}, "--theorem");
+  const std::string decimals = folder.write("point-point/decimals.csv", "0.5,0,0\n1,0,0\n0,0,0\n1,0,1\n");
+  refused({"--theorem", "0", decimals}, "has decimals; a proof is about fractions");
+  CHECK(run_program({"prove", "--theorem", "0", "--out", file, file}).status == 2);
+  CHECK(folder.read("point-point/a.csv") == two_point_queries());
+}
+
 TEST_CASE("an answer that has no proof is an error that names its query") {
   const TemporaryFolder folder;
   const std::string file = folder.write("point-point/a.csv", two_point_queries());

@@ -39,6 +39,9 @@ if(TARGET touchstone_program)
   add_dependencies(touchstone_installed touchstone_program)
   include(${CMAKE_CURRENT_LIST_DIR}/described.cmake)
 endif()
+# The theories that `touchstone prove --theorem` writes for; Extract.v is for the build of touchstone-check-proved.
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/src/proofs/proved/ DESTINATION ${CMAKE_INSTALL_DATADIR}/touchstone/proved
+  COMPONENT program FILES_MATCHING PATTERN "*.v" PATTERN Extract.v EXCLUDE)
 if(TARGET touchstone_check)
   install(TARGETS touchstone_check RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT program)
   install(FILES ${PROJECT_SOURCE_DIR}/src/proofs/checker/touchstone-check.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1

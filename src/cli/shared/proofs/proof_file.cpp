@@ -18,18 +18,6 @@
 namespace touchstone::cli {
 namespace {
 
-/// The digest of a file's bytes; "-" for a pipe, which can be read only once.
-std::string digest_of(const Input& input) {
-  if (!input.bytes) return "-";
-  io::InputFile file = input.open();
-  io::Sha256 sum;
-  std::string buffer(io::kChunkBytes, '\0');
-  for (std::size_t size; (size = file.read(buffer.data(), buffer.size())) > 0;) {
-    sum.add(std::string_view(buffer).substr(0, size));
-  }
-  return sum.digest();
-}
-
 std::string section_of(const Input& input, const Separation& separation) {
   std::string text;
   proofs::append_separation(text, separation);
@@ -53,6 +41,17 @@ bool has_plain_truth(std::string_view rows) {
 }
 
 }  // namespace
+
+std::string digest_of(const Input& input) {
+  if (!input.bytes) return "-";
+  io::InputFile file = input.open();
+  io::Sha256 sum;
+  std::string buffer(io::kChunkBytes, '\0');
+  for (std::size_t size; (size = file.read(buffer.data(), buffer.size())) > 0;) {
+    sum.add(std::string_view(buffer).substr(0, size));
+  }
+  return sum.digest();
+}
 
 void ProvedQueries::add(const Input& input, const io::QueryRecord& record, const Answer& answer,
                         const Separation& separation) {

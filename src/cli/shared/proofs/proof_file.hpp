@@ -16,6 +16,9 @@
 
 namespace touchstone::cli {
 
+/// The digest of a file's bytes; "-" for a pipe, which can be read only once.
+std::string digest_of(const Input& input);
+
 /// The proofs of some queries of one file, in the order of the file. Any thread may make them.
 class ProvedQueries {
  public:
