@@ -62,10 +62,14 @@ struct AllowedType {
 };
 
 const std::vector<AllowedType> kAllowedTypes = {
+    {"Body", "of the library: a mesh that turns; of a scene: what its key `bodies` lists, with mass and motion"},
+    {"BodyContact", "of the library: with its exact answer; of the simulator: with the impulses' directions"},
+    {"BodyPair", "of the library: of two bodies' elements; of the simulator: of a body and particles, too"},
     {"Facet", "of a scene: a face that only collides; of the filters: a facet of a polyhedron"},
     {"Frame", "of an animation; and the vectors u, w, r of a query, of which the baselines have their own"},
     {"Mesh", "of the library; and the generators' faces and edges, which know nothing of it"},
     {"Piece", "of a proof: a piece of the step; of a mesh: a surface, a wire or a loose point"},
+    {"Pose", "of the library; and the simulator's, whose quaternion has the length 1"},
     {"Polynomial", "of exact numbers; and the baselines' own in doubles, as they share no code with what they check"},
     {"Question", "of a filter: about a query; of a sequence: about steps or frames"},
     {"Report", "of measurements; and the file that `touchstone mesh` writes"},

@@ -40,7 +40,7 @@ struct ExactPose {
   }
 
   /// n times the place of a point.
-  ExactPoint place(const Vec3& point) const {
+  ExactPoint position(const Vec3& point) const {
     const ExactPoint x = mesh::exact(point);
     return ExactPoint{{dot(m[0], x), dot(m[1], x), dot(m[2], x)}} + n * p;
   }
@@ -64,8 +64,8 @@ Fraction fraction_of(const Exact& numerator, const Exact& denominator) {
   return {text.substr(0, bar), text.substr(bar + 1)};
 }
 
-std::array<Fraction, 3> place_of(const ExactPose& pose, const Vec3& point) {
-  const ExactPoint at = pose.place(point);
+std::array<Fraction, 3> position_in(const ExactPose& pose, const Vec3& point) {
+  const ExactPoint at = pose.position(point);
   return {fraction_of(at[0], pose.n), fraction_of(at[1], pose.n), fraction_of(at[2], pose.n)};
 }
 
@@ -75,11 +75,11 @@ std::optional<IntersectionSort> meeting_of(const Bodies& bodies, const std::vect
   const auto corners = [&](MeshElement sort, const BodyElement& of) {
     const Body::Impl& body = bodies.bodies[of.body].impl();
     const Index* const numbers = geometry::corners_of(sort, of.element, body.mesh.edges(), body.mesh.faces());
-    std::vector<std::array<Fraction, 3>> places;
+    std::vector<std::array<Fraction, 3>> positions;
     for (std::size_t c = 0; c <= static_cast<std::size_t>(sort); ++c) {
-      places.push_back(place_of(poses[of.body], body.points[numbers[c]]));
+      positions.push_back(position_in(poses[of.body], body.points[numbers[c]]));
     }
-    return places;
+    return positions;
   };
   const auto first = corners(near.first_sort, near.first), second = corners(near.second_sort, near.second);
   RationalQuery query;
@@ -163,7 +163,7 @@ void add_inside(const Bodies& bodies, const std::vector<ExactPose>& poses, BodyI
     if (meet[piece] != 0) continue;
     const Index vertex = pieces[piece].vertex;
     const ExactPose &pose = poses[inner], &around = poses[outer];
-    const ExactPoint point = around.point_at(pose.place(body.points[vertex]), pose.n);
+    const ExactPoint point = around.point_at(pose.position(body.points[vertex]), pose.n);
     if (const auto face = surface_around(other, point, around.n * pose.n)) {
       all.push_back(
           {MeshElement::vertex, {inner, vertex}, MeshElement::face, {outer, *face}, IntersectionSort::inside});

@@ -98,7 +98,7 @@ Query chords_of(Kind kind, const Element& first, const Element& second, bool res
 template <class Rule>
 class Search {
  public:
-  Search(const Moving& a, const Moving& b, const Margins& margins, const Separation& separation,
+  Search(const BodyOnArc& a, const BodyOnArc& b, const Margins& margins, const Separation& separation,
          const NearConsumer& take)
       : a_(a), b_(b), margins_(margins), separation_(separation), take_(take) {}
 
@@ -126,7 +126,7 @@ class Search {
  private:
   using Node = broad_phase::BoxTree<Box>::Node;
 
-  BoundsByAxis box_of(const Moving& moving, Index node) const noexcept {
+  BoundsByAxis box_of(const BodyOnArc& moving, Index node) const noexcept {
     return moving.arc.around(moving.body.tree.node(node).box, moving.body.reaches[node],
                              margins_.of(moving.body.radius));
   }
@@ -141,12 +141,12 @@ class Search {
     }
   }
 
-  void look_at(const Moving& moving, const Node& leaf, std::vector<Seen>& all) const {
+  void look_at(const BodyOnArc& moving, const Node& leaf, std::vector<Seen>& all) const {
     all.resize(leaf.size());
     for (Index at = leaf.begin; at < leaf.end; ++at) look_at(moving, moving.body.tree.number(at), all[at - leaf.begin]);
   }
 
-  void look_at(const Moving& moving, Index n, Seen& seen) const {
+  void look_at(const BodyOnArc& moving, Index n, Seen& seen) const {
     const Mesh::Impl& mesh = moving.body.mesh.impl();
     const Representative one = seen.representative = mesh::representative(mesh, n);
     const StandsFor& stands_for = mesh.stands_for[n];
@@ -201,7 +201,8 @@ class Search {
     }
   }
 
-  void compare(const Moving& of_first, const Element& first, const Moving& of_second, const Element& second) const {
+  void compare(const BodyOnArc& of_first, const Element& first, const BodyOnArc& of_second,
+               const Element& second) const {
     const MeshElement asked = Rule::kRests ? MeshElement::vertex : first.sort;  // a place on the first one
     const Kind kind = asked == MeshElement::edge           ? Kind::edge_edge
                       : second.sort == MeshElement::face   ? Kind::vertex_face
@@ -217,7 +218,7 @@ class Search {
     take_({first.sort, second.sort, {of_first.number, first.number}, {of_second.number, second.number}});
   }
 
-  const Moving &a_, &b_;
+  const BodyOnArc &a_, &b_;
   Margins margins_;
   Separation separation_;
   const NearConsumer& take_;
@@ -225,12 +226,12 @@ class Search {
 
 }  // namespace
 
-void for_each_near_in_motion(const Bodies& bodies, const Moving& a, const Moving& b, const NearConsumer& take) {
+void for_each_near_in_motion(const Bodies& bodies, const BodyOnArc& a, const BodyOnArc& b, const NearConsumer& take) {
   const bool radii = a.body.radius > 0 || b.body.radius > 0;
   Search<InMotion>(a, b, {bodies.separation.distance / 2, radii}, bodies.separation, take).run();
 }
 
-void for_each_near_at_rest(const Moving& a, const Moving& b, const NearConsumer& take) {
+void for_each_near_at_rest(const BodyOnArc& a, const BodyOnArc& b, const NearConsumer& take) {
   Search<AtRest>(a, b, {}, {}, take).run();
 }
 

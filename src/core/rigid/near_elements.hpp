@@ -14,7 +14,7 @@
 namespace touchstone::rigid {
 
 /// A body on an arc.
-struct Moving {
+struct BodyOnArc {
   BodyIndex number;
   const Body::Impl& body;
   const Arc& arc;
@@ -29,10 +29,10 @@ using NearConsumer = std::function<void(const NearElements&)>;
 
 /// Hands out the pairs of elements that first_contact asks about, once each, but for pairs that are certainly farther
 /// than their separation from each other all along both arcs.
-void for_each_near_in_motion(const Bodies& bodies, const Moving& a, const Moving& b, const NearConsumer& take);
+void for_each_near_in_motion(const Bodies& bodies, const BodyOnArc& a, const BodyOnArc& b, const NearConsumer& take);
 
 /// Hands out the pairs of elements that `intersections` asks about, once each, but for pairs that are certainly apart
 /// at the starts of both arcs, which go nowhere.
-void for_each_near_at_rest(const Moving& a, const Moving& b, const NearConsumer& take);
+void for_each_near_at_rest(const BodyOnArc& a, const BodyOnArc& b, const NearConsumer& take);
 
 }  // namespace touchstone::rigid
