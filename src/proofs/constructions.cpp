@@ -231,13 +231,21 @@ void try_constructions(const Elements& elements, const Exact& time, Events event
   }
 }
 
+std::array<Dense, 2> sums_of(const Elements& elements, const std::array<Dense, 4>& weights) {
+  std::array<Dense, 2> sums;
+  for (std::size_t i = 0; i < elements.count; ++i) {
+    Dense& sum = sums[i < elements.first_count ? 0 : 1];
+    sum = sum + scaled_by(elements.weights[i], weights[i]);
+  }
+  return sums;
+}
+
 std::vector<Dense> conditions(const Elements& elements, const std::array<Dense, 4>& weights) {
   if (!elements.has_max_separation()) return {};
-  std::array<Dense, 2> sums;
+  const std::array<Dense, 2> sums = sums_of(elements, weights);
   std::array<DenseVector, 2> points;
   for (std::size_t i = 0; i < elements.count; ++i) {
     const std::size_t element = i < elements.first_count ? 0 : 1;
-    sums[element] = sums[element] + scaled_by(elements.weights[i], weights[i]);
     for (std::size_t k = 0; k < 3; ++k) {
       points[element][k] = points[element][k] + weights[i] * elements.corners[i][k];
     }

@@ -28,6 +28,10 @@ enum class Events { needed, unneeded };
 void try_constructions(const Elements& elements, const Exact& time, Events events,
                        const std::function<bool(const Construction&)>& try_one);
 
+/// The sums of the weights over each element, each times the corner's own weight: they are positive where the weighted
+/// points are.
+std::array<Dense, 2> sums_of(const Elements& elements, const std::array<Dense, 4>& weights);
+
 /// In the metric `max` and with a separation: the six polynomials that are not negative where the weighted points are
 /// in contact, given that the weights of each element have a positive sum. Otherwise none.
 std::vector<Dense> conditions(const Elements& elements, const std::array<Dense, 4>& weights);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <utility>
 
@@ -43,8 +44,9 @@ Dense bernstein(const Dense& p, const Exact& from, const Exact& to) {
 /// j) over i >= j, and b_k that of C(k, j) / C(d, j) q_j width^j over j <= k. Beside 4 such errors of 2^-53 for c_i, a
 /// term passes through at most 2 d roundings in q_j, 2 d + 1 with its power of the width, 2 d in its ratio of
 /// binomials, and d + 2 in the product with it and the sum: 7 d + 7 <= 231 in all where d <= 32. So b_k is off by at
-/// most 2^-45 times the sum of the terms' absolute values. The bound has 2^-44, and nothing may underflow in sums that
-/// are large enough, nor overflow: no factor but the coefficients is above C(32, 16) < 2^30.
+/// most 2^-45 times the sum of the terms' absolute values. The bound has 2^-44. Powers of the width may not underflow;
+/// where a product does, it is small beside a sum that is large enough. Nor may anything overflow: no factor but the
+/// coefficients is above C(32, 16) < 2^30.
 std::optional<int> sign_in_doubles(const Dense& p, const Exact& exact_from, const Exact& exact_to) {
   constexpr std::size_t kMostSize = 33;
   constexpr double kBound = 0x1p-44, kLeast = 0x1p-800, kGreatest = 0x1p800;
@@ -68,6 +70,7 @@ std::optional<int> sign_in_doubles(const Dense& p, const Exact& exact_from, cons
   }
   double power = 1;
   for (std::size_t j = 0; j < size; ++j, power *= to - from) {
+    if (power < std::numeric_limits<double>::min() && from != to) return std::nullopt;
     q[j] *= power;
     sums[j] *= power;
   }

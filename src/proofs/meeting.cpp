@@ -73,9 +73,16 @@ bool changes_sign(const Meeting& meeting) {
 /// the metric `max`, where the conditions say it.
 bool proves(const Elements& elements, const Meeting& meeting) {
   if (!changes_sign(meeting)) return false;
+  const auto is_positive = [&](const Dense& p) {
+    return sign_over(p, meeting.low, meeting.high, Inner::not_zero) == 1;
+  };
   for (const Dense& weight : meeting.weights) {
-    if (!weight.empty() && sign_over(weight, meeting.low, meeting.high, Inner::not_zero) != 1) return false;
+    if (!weight.empty() && !is_positive(weight)) return false;
   }
+  // A body's own weight is positive, but its Bernstein coefficients may not be where its quaternion shrinks to 2^-900
+  // of its length between two doubles.
+  const auto sums = sums_of(elements, meeting.weights);
+  if (!std::all_of(sums.begin(), sums.end(), is_positive)) return false;
   const auto all = conditions(elements, meeting.weights);
   return std::all_of(all.begin(), all.end(), [&](const Dense& p) {
     return nowhere_negative(p, meeting.low, meeting.high) || divides(meeting.root, p);

@@ -71,6 +71,32 @@ TEST_CASE("the answers to curved queries of every family are proved, and the che
   CHECK(contacts < queries);
 }
 
+TEST_CASE("a body whose quaternion shrinks to nothing between the last doubles before a contact has a proof") {
+  // Between 1 - 2^-53 and 1 its squared length is positive, but has a Bernstein coefficient that is not.
+  CurvedQuery query;
+  query.kind = Kind::point_point;
+  const double one = 0x1.152feb22a9846p+593, other = 0x1.152feb22a9846p-315;
+  query.motions[0] = {{-one, one / 2, one, 0}, {other, -other, -2 * other, 2 * other}, {-4, -1, 0}, {-4, -1, 0}};
+  query.corners[0] = CurvedCorner::on_body(0, {114, -114, 114});
+  query.corners[1] = CurvedCorner::on_curve({{-170, 13, 106}});
+  Proved proved = curved_file();
+  proved.add(query);
+  REQUIRE(proved.contacts == 1);
+  expect_accepted(proved, query.kind, "");
+}
+
+TEST_CASE("a power of a short interval's width that underflows leaves the sign of a polynomial to exact numbers") {
+  // 2^-400 - 2^800 t^21, which is negative from t = 2^-57.2 on; 2^(-52 21) is no double.
+  proofs::Dense p(22);
+  p[0] = proofs::Exact(0x1p-400);
+  p[21] = proofs::Exact(-0x1p800);
+  const auto sign = [&](double to) {
+    return proofs::sign_over(p, proofs::Exact(0), proofs::Exact(to), proofs::Inner::not_zero);
+  };
+  CHECK(sign(0x1p-58) == 1);
+  CHECK(sign(0x1p-52) == 0);
+}
+
 TEST_CASE("answers to curved queries with a separation are proved in both metrics", "[slow]") {
   const std::size_t count = effort(2);
   std::size_t contacts = 0, later = 0, queries = 0, number = 0;
