@@ -21,6 +21,7 @@
 #include <vector>
 
 #include "checker/digest.hpp"
+#include "checker/messages.hpp"
 
 namespace checker {
 
@@ -35,56 +36,6 @@ constexpr std::size_t kLongestLine = 1U << 20, kMostDigits = 4096, kMostHexDigit
 constexpr std::size_t kMostCoefficients = 33;
 constexpr long kMostExponent = 20000;
 constexpr std::uint32_t kMostVertices = (1U << 30) - 1;
-
-/// The bytes of the character at the start of the text, if it only shows: 0 for bytes that are no UTF-8, for controls,
-/// and for characters that change the direction of text or have no width and are no part of a word.
-inline std::size_t shown_bytes(std::string_view text) {
-  static constexpr std::array<std::array<std::uint32_t, 2>, 9> kHidden = {{{0, 0x1F},
-                                                                           {0x7F, 0x9F},
-                                                                           {0x61C, 0x61C},
-                                                                           {0x200B, 0x200B},
-                                                                           {0x200E, 0x200F},
-                                                                           {0x2028, 0x202E},
-                                                                           {0x2060, 0x206F},
-                                                                           {0xFEFF, 0xFEFF},
-                                                                           {0xFFF9, 0xFFFB}}};
-  const auto first = static_cast<unsigned char>(text[0]);
-  const std::size_t size = first >= 0xF0 ? 4 : first >= 0xE0 ? 3 : first >= 0x80 ? 2 : 1;
-  if ((size == 2 && first < 0xC2) || text.size() < size) return 0;
-  std::uint32_t c = size == 1 ? first : first & (0x7FU >> size);
-  for (std::size_t i = 1; i < size; ++i) {
-    const auto byte = static_cast<unsigned char>(text[i]);
-    if ((byte & 0xC0) != 0x80) return 0;
-    c = c << 6 | (byte & 0x3FU);
-  }
-  if ((size == 3 && c < 0x800) || (size == 4 && (c < 0x10000 || first > 0xF4)) || c > 0x10FFFF) return 0;
-  const auto holds = [&](const auto& range) { return c >= range[0] && c <= range[1]; };
-  return (c >= 0xD800 && c <= 0xDFFF) || std::any_of(kHidden.begin(), kHidden.end(), holds) ? 0 : size;
-}
-/// A text whose characters only show: the others are written as \x1b, a byte each.
-inline std::string printable(std::string_view text) {
-  std::string shown;
-  while (!text.empty()) {
-    const std::size_t size = shown_bytes(text);
-    if (size == 0) {
-      const auto byte = static_cast<unsigned char>(text[0]);
-      shown.append("\\x").append(1, "0123456789abcdef"[byte / 16]).append(1, "0123456789abcdef"[byte % 16]);
-    }
-    shown += text.substr(0, size);
-    text.remove_prefix(std::max<std::size_t>(size, 1));
-  }
-  return shown;
-}
-
-/// The beginning of a word, for a message.
-inline std::string quoted(std::string_view word) {
-  return "\"" + printable(word.substr(0, 40)) + (word.size() > 40 ? "...\"" : "\"");
-}
-
-/// "1 step", "2 steps"
-inline std::string counted(std::uint64_t number, const std::string& one, const std::string& several) {
-  return std::to_string(number) + " " + (number == 1 ? one : several);
-}
 
 using Words = std::vector<std::string_view>;
 
@@ -240,22 +191,6 @@ inline void read_time(std::string_view word, Number& x, const Lines& lines) {
   lines.require(x.e >= -kMostExponent, "a time must be a multiple of 2^-20,000");
 }
 
-/// The greatest m 2^e that is at most numerator / denominator, with integers |m| < 2^53 and e >= -1074. The denominator
-/// is positive. `rest` is positive where the quotient is nearer to (m + 1) 2^e, and zero in the middle.
-inline Number rounded_down(const mpz_class& numerator, const mpz_class& denominator, mpz_class& rest) {
-  const auto bits = [](const mpz_class& x) { return static_cast<long>(mpz_sizeinbase(x.get_mpz_t(), 2)); };
-  Number x;
-  x.e = std::max(bits(numerator) - bits(denominator) - 54, -1075L);
-  do {
-    ++x.e;
-    const mpz_class above = numerator << static_cast<unsigned long>(std::max(-x.e, 0L));
-    const mpz_class below = denominator << static_cast<unsigned long>(std::max(x.e, 0L));
-    mpz_fdiv_qr(x.m.get_mpz_t(), rest.get_mpz_t(), above.get_mpz_t(), below.get_mpz_t());
-    rest = 2 * rest - below;
-  } while (bits(x.m) > 53);
-  return x;
-}
-
 /// Whether the time x is a double, and not negative. With 53 bits of m, or e = -1074, the next double is (m + 1) 2^e.
 inline bool next_double(const Number& x, Number& next) {
   const auto bits = static_cast<long>(mpz_sizeinbase(x.m.get_mpz_t(), 2));
@@ -263,28 +198,6 @@ inline bool next_double(const Number& x, Number& next) {
   if (sign(x) < 0 || x.e < next.e) return false;
   next.m = (x.m << static_cast<unsigned long>(x.e - next.e)) + 1;
   return true;
-}
-
-/// The double that is nearest to a decimal or a hexfloat; of two, the one with an even significand.
-inline Number read_double(std::string_view word, const Lines& lines) {
-  std::string_view text = word;
-  const bool negative = text.substr(0, 1) == "-";
-  if (negative) text.remove_prefix(1);
-  const bool is_hex = text.substr(0, 2) == "0x" || text.substr(0, 2) == "0X";
-  if (is_hex) text.remove_prefix(2);
-  Number x;
-  bool is_finite = read_digits(text, is_hex, is_hex ? "pP" : "eE", kMostDigits, x);
-  if (is_finite && sign(x) != 0) {
-    mpz_class unit = 1, rest;
-    const auto size = static_cast<unsigned long>(std::abs(x.e));
-    is_hex ? mpz_mul_2exp(unit.get_mpz_t(), unit.get_mpz_t(), size) : mpz_ui_pow_ui(unit.get_mpz_t(), 10, size);
-    x = x.e > 0 ? rounded_down(x.m * unit, 1, rest) : rounded_down(x.m, unit, rest);
-    if (rest > 0 || (rest == 0 && mpz_odd_p(x.m.get_mpz_t()))) ++x.m;
-    is_finite = x.m != 0 && static_cast<long>(mpz_sizeinbase(x.m.get_mpz_t(), 2)) + x.e <= 1024;
-  }
-  if (!is_finite) throw lines.bad("here must be a finite double, such as 0.25 or 0x1p-2: " + quoted(word));
-  if (negative) mpz_neg(x.m.get_mpz_t(), x.m.get_mpz_t());
-  return x;
 }
 
 }  // namespace checker

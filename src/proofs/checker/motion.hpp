@@ -7,8 +7,8 @@
 #include <numeric>
 #include <set>
 
+#include "checker/curved_motion.hpp"
 #include "checker/mesh_files.hpp"
-#include "checker/queries.hpp"
 
 namespace checker {
 
@@ -24,13 +24,16 @@ struct Element {
   std::uint32_t body = kNoBody;      ///< that all of its vertices are on
 };
 
+/// A kind of pairs. A fold is that of a wire: a point, and a wire that is joined to it by another one.
+struct PairKind : Kind {
+  bool is_fold = false;
+};
+
 /// A mesh, and the two frames of a step.
 class MotionFile {
  public:
   static constexpr std::array<std::string_view, 5> kSorts = {"point", "edge", "face", "fixed", "body"};
   static constexpr std::array<std::size_t, 5> kSizes = {1, 2, 3, 1, 1}, kWords = {2, 3, 4, 2, 6};
-  /// The fold of a wire: a point, and a wire that is joined to it by another one.
-  static constexpr Kind kFold = {"point-edge", 3, 1, true};
   static constexpr std::size_t kPose = 7;  ///< numbers: a quaternion and a position
 
   explicit MotionFile(const std::string& name) : lines_(name) {
@@ -59,7 +62,7 @@ class MotionFile {
     return std::string(kSorts[element.size - 1]) + " " + std::to_string(element.number);
   }
 
-  std::string digest() { return lines_.digest(); }
+  Lines& lines() { return lines_; }
   std::size_t frame_count() const { return frame_; }  ///< those that were read
 
   /// @param end  0 for the first frame of the step, 1 for the second one
@@ -124,14 +127,15 @@ class MotionFile {
   void for_each_pair(const Number& distance, const Function& function) {
     set_ends();
     for (std::size_t k = 0; k < 3; ++k) set_boxes(k, distance);
-    for_each_sort(
-        [&](const Kind& kind, const auto& first, const auto& second) { for_each_of(kind, first, second, function); });
+    for_each_sort([&](const PairKind& kind, const auto& first, const auto& second) {
+      for_each_of(kind, first, second, function);
+    });
   }
 
   /// Whether two elements could meet in a step at all, however far apart they are: the rules leave a pair.
   bool has_pair() const {
     bool found = false;
-    for_each_sort([&](const Kind& kind, const auto& first, const auto& second) {
+    for_each_sort([&](const PairKind& kind, const auto& first, const auto& second) {
       const auto all = [&](const auto& holds) {
         return std::all_of(first.begin(), first.end(), holds) && std::all_of(second.begin(), second.end(), holds);
       };
@@ -294,24 +298,24 @@ class MotionFile {
   /// Sets the ends of the boxes of vertices, which are those of their motion. That of a body's vertex is a mean of the
   /// quotients of the Bernstein coefficients of x and w, if those of w are positive. These are rounded outwards.
   void set_ends() {
-    static const Interval whole{0, 1, 0};
-    static mpz_class rest;
     if (body_count_ > 0) ends_ = frames_;
+    const Interval whole({0, 0}, {1, 0});
     for (const Element& vertex : elements_[4]) {
       set(query_, {"", 1, 1}, vertex, vertex);
-      corners_.set(query_, Number());
-      corners_.w[0].extend(4);  // as many as x has
-      set_bernstein(w_, corners_.w[0], whole);
+      const mpz_class unit = set_corners(corners_, query_, {});
+      corners_.w[0].resize(4);  // as many as x has
+      const Polynomial w = bernstein(corners_.w[0], whole);
       for (std::size_t k = 0, index = index_of(vertex.vertices[0]); k < 3; ++k, ++index) {
-        set_bernstein(x_, corners_.x[0][k], whole);
+        const Polynomial x = bernstein(corners_.x[0][k], whole);
         std::size_t least = 0, greatest = 0;
         for (std::size_t c = 0; c < 4; ++c) {
-          lines_.require(w_[c] > 0, "a body turns too far in the step that ends before this line");
-          if (x_[c] * w_[least] < x_[least] * w_[c]) least = c;
-          if (x_[c] * w_[greatest] > x_[greatest] * w_[c]) greatest = c;
+          lines_.require(w[c] > 0, "a body turns too far in the step that ends before this line");
+          if (x[c] * w[least] < x[least] * w[c]) least = c;
+          if (x[c] * w[greatest] > x[greatest] * w[c]) greatest = c;
         }
-        ends_[0][index] = rounded_down(x_[least], w_[least] * corners_.scale, rest);
-        Number& end = ends_[1][index] = rounded_down(-x_[greatest], w_[greatest] * corners_.scale, rest);
+        mpz_class rest;
+        ends_[0][index] = rounded_down(x[least], w[least] * unit, rest);
+        Number& end = ends_[1][index] = rounded_down(-x[greatest], w[greatest] * unit, rest);
         end.m = -end.m;
       }
     }
@@ -347,11 +351,11 @@ class MotionFile {
   template <class Function>
   void for_each_sort(const Function& function) const {
     const auto& [points, edges, faces, fixed, on_bodies, lone, ends, wires] = elements_;
-    function(kKinds[0], edges, edges);
-    function(kKinds[1], points, faces);
-    function(kKinds[2], lone, edges);
-    function(kKinds[3], lone, lone);
-    function(kFold, ends, wires);
+    function(PairKind{kKinds[0]}, edges, edges);
+    function(PairKind{kKinds[1]}, points, faces);
+    function(PairKind{kKinds[2]}, lone, edges);
+    function(PairKind{kKinds[3]}, lone, lone);
+    function(PairKind{kKinds[2], true}, ends, wires);
   }
 
   static std::vector<Element> moving_of(const std::vector<Element>& elements) {
@@ -376,7 +380,7 @@ class MotionFile {
 
   /// It holds the partners of one element at a time, not all pairs.
   template <class Function>
-  void for_each_of(const Kind& kind, const std::vector<Element>& first, const std::vector<Element>& second,
+  void for_each_of(const PairKind& kind, const std::vector<Element>& first, const std::vector<Element>& second,
                    const Function& function) {
     // The boxes in the order of their low ends, along the axis on which they are narrowest.
     std::array<std::uint64_t, 3> width{};
@@ -399,19 +403,19 @@ class MotionFile {
   }
 
   /// Whether the boxes are near, and the rules leave the pair.
-  bool is_pair(const Kind& kind, const Element& a, const Element& b) const {
+  bool is_pair(const PairKind& kind, const Element& a, const Element& b) const {
     for (std::size_t k = 0; k < 3; ++k) {
       if (a.low[k] >= b.reach[k] || b.low[k] >= a.reach[k]) return false;
     }
     return may_meet(kind, a, b);
   }
-  bool may_meet(const Kind& kind, const Element& a, const Element& b) const {
+  bool may_meet(const PairKind& kind, const Element& a, const Element& b) const {
     for (std::size_t i = 0; i < a.size; ++i) {
       for (std::size_t j = 0; j < b.size; ++j) {
         if (a.vertices[i] == b.vertices[j]) return false;
       }
     }
-    if (kind.touches_only && !are_joined(a.vertices[0], b.vertices[0]) && !are_joined(a.vertices[0], b.vertices[1])) {
+    if (kind.is_fold && !are_joined(a.vertices[0], b.vertices[0]) && !are_joined(a.vertices[0], b.vertices[1])) {
       return false;
     }
     return !(a.is_fixed && b.is_fixed) && (a.body == kNoBody || a.body != b.body);
@@ -433,7 +437,6 @@ class MotionFile {
   std::array<std::set<std::uint32_t>, 5> single_;     ///< the vertices that have a line of each sort
   Query query_;
   Corners corners_;
-  Polynomial x_, w_;
 };
 
 }  // namespace checker
