@@ -472,6 +472,29 @@ def box_on_body(motion, point):
     return low, high
 
 
+def order(x, y):
+    return less(y, x) - less(x, y)
+
+
+def round_up(r, s):
+    """The least m 2^e that is at least r + s, for integers |m| < 2^53 and e >= -1074."""
+    integers, e = to_integers([r, s])
+    m, e = rounded_down(-sum(integers), 1 << -e)
+    return -m, e
+
+
+def are_boxes_near(ends, first, second, distance):
+    """Whether the boxes of two elements are at most the distance apart along each axis."""
+    for c in range(3):
+        one, other = ([end[vertex][c] for end in ends for vertex in vertices] for vertices in (first, second))
+        integers, _ = to_integers(one + other + [distance])
+        reach = integers.pop()
+        one, other = integers[:len(one)], integers[len(one):]
+        if min(one) - max(other) > reach or min(other) - max(one) > reach:
+            return False
+    return True
+
+
 Box = collections.namedtuple("Box", "low high element")
 
 
@@ -495,6 +518,10 @@ class Motion:
             raise BadInput(f"{lines.place()}: a motion has at most {MAX_VERTICES} vertices")
         lines.advance()
         self.elements = {sort: [] for sort in self.SIZES}
+        self.radii = {sort: [] for sort in self.SIZES}  # of the elements
+        self.words_of_radii = {}
+        self.near = set()  # pairs of vertices
+        self.has_radii = False
         self.read_elements()
         self.fixed = {vertex for vertex, in self.elements.pop(b"fixed")}
         self.bodies = {}  # the body of a vertex, and its point there
@@ -518,8 +545,26 @@ class Motion:
     def read_elements(self):
         seen = set()
         self.on_bodies = []
+        radius, word = (0, 0), b"0"
         while True:
             sort, *words = self.lines.words() or [b""]
+            if sort == b"radius":
+                if len(words) != 1:
+                    raise BadInput(f"{self.lines.place()}: expected radius R")
+                word = words[0]
+                radius = read_number(word, self.lines)
+                if radius[0] < 0:
+                    raise BadInput(f"{self.lines.place()}: a radius is negative")
+                self.has_radii = True
+                self.lines.advance()
+                continue
+            if sort == b"near":
+                pair = frozenset(self.read_integer(word) for word in words)
+                if len(words) != 2 or len(pair) != 2 or max(pair) >= self.count or pair in self.near:
+                    raise BadInput(f"{self.lines.place()}: expected near V W, two vertices that are not near yet")
+                self.near.add(pair)
+                self.lines.advance()
+                continue
             if sort not in self.SIZES:
                 return
             if sort == b"body":
@@ -540,6 +585,8 @@ class Motion:
                     raise BadInput(f"{self.lines.place()}: this vertex has such a line already")
                 seen.add((sort, vertices))
             self.elements[sort].append(vertices)
+            self.radii[sort].append(radius)
+            self.words_of_radii[radius] = self.words_of_radii.get(radius, word)
             self.lines.advance()
 
     def read_frame(self):
@@ -583,10 +630,8 @@ class Motion:
 
     def queries(self, frames, metric, separation):
         """The queries of the pairs of a step, in the order of the page."""
-        low, high, reach = self.boxes(frames, separation)
-        for kind, first, second in sorted(self.pairs(low, high, reach)):
+        for about, _, first, second in self.near_pairs(frames, metric, separation):
             corners, motions = [], {}
-            about = (None, (0, 0)) if kind == self.FOLD else (metric, separation)
             for vertex in first[1] + second[1]:
                 if vertex in self.bodies:
                     body, point = self.bodies[vertex]
@@ -596,18 +641,44 @@ class Motion:
                     corners.append((None, frames[0][1][vertex] + frames[1][1][vertex]))
             yield curved_query(motions, corners, len(first[1]), *about)
 
-    def boxes(self, frames, separation):
+    def near_pairs(self, frames, metric, separation):
+        """The metric and the separation, the kind and the elements of each pair of a step, in the order of the page."""
+        if self.has_radii:
+            radii = itertools.chain([(0, 0)], *self.radii.values())
+            separation = round_up(*2 * [max(radii, key=functools.cmp_to_key(order))])
+        ends = self.ends(frames)
+        for kind, first, second in sorted(self.pairs(*self.boxes(ends, separation))):
+            about = (None, (0, 0)) if kind == self.FOLD else (metric, separation)
+            if self.has_radii:
+                about = self.separation(kind, first, second)
+                if not are_boxes_near(ends, first[1], second[1], about[1]):
+                    continue
+            yield about, kind, first, second
+
+    def separation(self, kind, first, second):
+        """The metric and the separation of a pair of a motion with radii."""
+        if kind == self.FOLD or any(frozenset(pair) in self.near for pair in itertools.product(first[1], second[1])):
+            return None, (0, 0)
+        sorts = [(b"edge", b"edge"), (b"point", b"face"), (b"point", b"edge"), (b"point", b"point")][kind]
+        distance = round_up(*(self.radii[sort][number] for sort, (number, _) in zip(sorts, (first, second))))
+        return (b"euclidean" if distance[0] > 0 else None), distance
+
+    def boxes(self, ends, separation):
         """The boxes of all vertices, two lists of points, and the separation, as integers of one scale."""
+        integers, _ = to_integers([x for rows in ends for row in rows for x in row] + [separation])
+        reach = integers.pop()
+        points = [integers[i:i + 3] for i in range(0, len(integers), 3)]
+        return points[:self.count], points[self.count:], reach
+
+    def ends(self, frames):
+        """The boxes of all vertices, two lists of points."""
         ends = [[list(row) for row in frame[1]] for frame in frames]
         for vertex, (body, point) in self.bodies.items():
             box = box_on_body(self.motion(frames, body), point)
             if box is None:
                 raise BadInput(f"{self.lines.place()}: body {body} turns too far in the step before this line")
             ends[0][vertex], ends[1][vertex] = box
-        integers, _ = to_integers([x for rows in ends for row in rows for x in row] + [separation])
-        reach = integers.pop()
-        points = [integers[i:i + 3] for i in range(0, len(integers), 3)]
-        return points[:self.count], points[self.count:], reach
+        return ends
 
     @staticmethod
     def motion(frames, body):
@@ -624,6 +695,15 @@ class Motion:
         counts = [counted(frames, "frame", "frames"), counted(self.count, "vertex", "vertices")]
         for sort in (b"point", b"edge", b"face"):
             counts.append(counted(len(self.elements[sort]), sort.decode(), sort.decode() + "s"))
+        if self.has_radii:
+            radii = [radius for sort in self.PARTNERS for radius in self.radii[sort] if radius[0] > 0]
+            counts.append(counted(len(radii), "element", "elements") + " with radii")
+            if radii:
+                key = functools.cmp_to_key(order)
+                ends = [self.words_of_radii[end].decode() for end in (min(radii, key=key), max(radii, key=key))]
+                counts[-1] += " from " + " to ".join(ends)
+            if self.near:
+                counts.append(counted(len(self.near), "pair of neighbours", "pairs of neighbours"))
         if self.fixed:
             counts.append(counted(len(self.fixed), "fixed vertex", "fixed vertices"))
         if self.bodies:
@@ -871,6 +951,9 @@ def check(proofs, proofs_name, files, report=lambda header: None, allow_empty=Fa
         if kind == b"mesh":
             motions += 1
             motion = Motion(rows)
+            if motion.has_radii:
+                require(metric is None, f"{lines.place()}: a motion with radii has the separations of its own")
+                with_separation = " with separation euclidean, the sum of two radii"
             for step, frames in enumerate(motion.steps()):
                 require(lines.words() == [b"step", str(step).encode()],
                         f"{lines.place()}: expected \"step {step}\" of {name}")

@@ -212,6 +212,10 @@ class BadMotion(Exception):
     """The motion file is not valid."""
 
 
+class Element(tuple):
+    """The vertices of an element, which has a radius."""
+
+
 class Motion:
     """The elements by their sort, the body and the point of each vertex on a body, and the frames: the rows of bodies
     and those of vertices."""
@@ -223,15 +227,29 @@ class Motion:
         count = int(lines[1][1])
         self.elements = {sort: [] for sort in self.SIZES}
         self.bodies = {}
+        self.near = set()
+        self.has_radii = False
+        radius = 0
         rest = 2
-        while rest < len(lines) and lines[rest][0] in list(self.SIZES) + ["body"]:
+        while rest < len(lines) and lines[rest][0] in list(self.SIZES) + ["body", "radius", "near"]:
             sort, *words = lines[rest]
-            if sort == "body":
+            if sort == "radius":
+                radius, = (value(word) for word in words)
+                self.has_radii = True
+                if radius < 0:
+                    raise BadMotion
+            elif sort == "near":
+                pair = frozenset(int(word) for word in words)
+                if len(words) != 2 or len(pair) != 2 or pair in self.near or not 0 <= min(pair) <= max(pair) < count:
+                    raise BadMotion
+                self.near.add(pair)
+            elif sort == "body":
                 if int(words[0]) in self.bodies or not 0 <= int(words[0]) < count:
                     raise BadMotion
                 self.bodies[int(words[0])] = int(words[1]), tuple(value(word) for word in words[2:])
             else:
-                self.elements[sort].append(tuple(int(word) for word in words))
+                self.elements[sort].append(Element(int(word) for word in words))
+                self.elements[sort][-1].radius = radius
             rest += 1
         body_count = max([body + 1 for body, _ in self.bodies.values()], default=0)
         self.frames = []
@@ -266,6 +284,12 @@ class Motion:
         """As in a row `motion`."""
         a, b = start[0][body], end[0][body]
         return a[:4] + b[:4] + a[4:] + b[4:]
+
+    def separation(self, first, second, is_fold):
+        """Of a pair of a motion with radii."""
+        if is_fold or any(frozenset(pair) in self.near for pair in itertools.product(first, second)):
+            return 0
+        return round_up(first.radius + second.radius)
 
     def boxes(self, start, end):
         """Of each vertex, its least and its greatest coordinates."""
@@ -314,6 +338,14 @@ def pairs_of(elements, bodies):
                 yield first, second, pairs is folds
 
 
+def round_up(x):
+    """The least multiple of a power of two from 2^-1074 on, by an integer below 2^53, that is at least x >= 0."""
+    unit = Fraction(1, 1 << 1074)
+    while -(-x // unit) >= 1 << 53:
+        unit *= 2
+    return -(-x // unit) * unit
+
+
 def near(first, second, boxes, separation):
     """Whether the boxes of two elements during a step are at most the separation apart along each axis."""
     for c in range(3):
@@ -329,13 +361,17 @@ def truths_of_motion(text, metric, separation):
         motion = Motion(text)
         answers = []
         pairs = list(pairs_of(motion.elements, motion.bodies))
-        if not pairs:
+        if not pairs or (motion.has_radii and separation > 0):
             raise BadMotion
         for start, end in zip(motion.frames, motion.frames[1:]):
             boxes = motion.boxes(start, end)
-            answers.append([motion.first_contact(first + second, len(first), start, end, metric,
-                                                 0 if is_fold else separation)
-                            for first, second, is_fold in pairs if near(first, second, boxes, separation)])
+            answers.append([])
+            for first, second, is_fold in pairs:
+                d = 0 if is_fold else separation
+                if motion.has_radii:
+                    d = motion.separation(first, second, is_fold)
+                if near(first, second, boxes, d if motion.has_radii else separation):
+                    answers[-1].append(motion.first_contact(first + second, len(first), start, end, metric, d))
         return answers
     except (BadMotion, OverflowError):
         return None

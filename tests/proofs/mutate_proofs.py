@@ -816,7 +816,7 @@ def motion_cases_of(file, parts):
     reach = check_proofs.read_number(d, lines)
     steps = []
     for frames in motion.steps():
-        steps.append(sorted(motion.pairs(*motion.boxes(frames, reach))))
+        steps.append([pair for _, *pair in motion.near_pairs(frames, metric, reach)])
     small = len(file.proofs()) <= 12 and motion.count <= 30 and len(steps) <= 4
     cases = [file] if small else []
     head, frames = file.motion()
@@ -835,9 +835,12 @@ def motion_cases_of(file, parts):
         used = sorted({v for _, _, vertices in chosen for v in vertices})
         names = {v: str(k) for k, v in enumerate(used)}
         new_head = [["touchstone-motion", "1"], ["vertices", str(len(used))]]
-        for sort, _, vertices in sorted(chosen):
+        for sort, number, vertices in sorted(chosen):
+            if motion.has_radii:
+                new_head.append(["radius", motion.words_of_radii[motion.radii[sort][number]].decode()])
             new_head.append([sort.decode()] + [names[v] for v in vertices])
         new_head += [["fixed", names[v]] for v in used if v in motion.fixed]
+        new_head += [["near"] + [names[v] for v in pair] for pair in motion.near if pair <= set(used)]
         bodies = sorted({motion.bodies[v][0] for v in used if v in motion.bodies})
         for words in head:
             if words[0] == "body" and int(words[1]) in names:

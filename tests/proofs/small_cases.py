@@ -486,6 +486,52 @@ def fold_cases():
     ]]
 
 
+def radius_cases():
+    apart, touching = ["none", "d 1 1 0"], ["contact 0 0", "w 0 1", "w 1 1"]
+
+    def points(first="radius 1\n", second="radius 0x1p-2\n", x="1 1", after=""):
+        """A point that moves away from one at rest."""
+        return ("touchstone-motion 1\nvertices 3\n" + first + "point 0\n" + second + "point 1\n" + after +
+                f"frame\n0 0 0\n{x} 0\n90 0 0\nframe\n0 0 0\n{x} 1\n90 0 0\n")
+
+    def proof(*pairs, separation=""):
+        return crowd_proof(pairs, separation)
+
+    near_one = "0x1.00000000000008p0 0"  # 1 + 2^-53
+    return [("radius: " + name, status, lines, [text]) for name, status, lines, text in [
+        ("farther apart than the sum", 0, proof(apart), points()),
+        ("left out", 1, proof(), points()),
+        ("a longer radius", 1, proof(apart), points("radius 2\n")),
+        ("a longer radius, in contact", 0, proof(touching), points("radius 2\n")),
+        ("in contact, denied", 1, proof(touching), points()),
+        ("a radius for both", 1, proof(apart), points(second="")),
+        ("a radius for the second one alone", 0, proof(), points("")),
+        ("no radius", 0, proof(), points("", "")),
+        ("a radius after both", 0, proof(), points("", "", after="radius 2\npoint 2\n")),
+        ("a radius that ends", 0, proof(), points(after="radius 0\n").replace("radius 1\n", "radius 1\nradius 0\n")),
+        ("at the sum", 0, proof(touching), points(x="0x1.4p0 0")),
+        ("at the sum, left out", 1, proof(), points(x="0x1.4p0 0")),
+        ("just beyond the sum", 0, proof(), points(x="0x1.4000000000001p0 0")),
+        ("the sum is rounded up", 0, proof(touching), points(second="radius 0x1p-60\n", x=near_one)),
+        ("the sum is rounded up, left out", 1, proof(), points(second="radius 0x1p-60\n", x=near_one)),
+        ("a sum that is a double", 0, proof(), points(second="radius 0\n", x=near_one)),
+        ("neighbours", 0, proof(), points(after="near 1 0\n")),
+        ("neighbours, with their pair", 1, proof(apart), points(after="near 0 1\n")),
+        ("neighbours of another one", 0, proof(apart), points(after="near 0 2\nnear 1 2\n")),
+        ("neighbours that touch", 0, proof(touching), points(x="0 0", after="near 0 1\n")),
+        ("neighbours that touch, denied", 1, proof(apart), points(x="0 0", after="near 0 1\n")),
+        ("a separation of the file", 1, proof(apart, separation="euclidean 0x1.4p0"), points()),
+        ("a negative radius", 2, proof(apart), points("radius -1\n")),
+        ("no number", 2, proof(apart), points("radius one\n")),
+        ("no radius in the line", 2, proof(apart), points("radius\n")),
+        ("two radii in the line", 2, proof(apart), points("radius 1 1\n")),
+        ("a vertex near itself", 2, proof(apart), points(after="near 1 1\n")),
+        ("near no vertex", 2, proof(apart), points(after="near 1 3\n")),
+        ("near alone", 2, proof(apart), points(after="near 1\n")),
+        ("near twice", 2, proof(apart), points(after="near 0 1\nnear 1 0\n")),
+    ]]
+
+
 def motion_cases():
     def motion(name, text, proof=FALL_PROOF, status=2):
         return name, status, proof, [text]
@@ -739,7 +785,7 @@ def curved_cases():
 
 def all_cases():
     return (point_point_cases() + corner_cases() + line_cases() + row_cases() + curved_cases() + motion_cases() +
-            fold_cases() + body_cases())
+            fold_cases() + radius_cases() + body_cases())
 
 
 def by_page(proof, files):

@@ -7,7 +7,7 @@
 // polynomial are integers here: each group is multiplied by a positive number, which changes no sign. For queries with
 // straight motion, read input.hpp, polynomials.hpp, proofs.hpp and queries.hpp, in this order.
 // SPDX-License-Identifier: MIT
-#include "checker/motion.hpp"
+#include "checker/pairs.hpp"
 
 namespace checker {
 
@@ -34,7 +34,10 @@ class FullChecker : public Checker {
   std::string check_motion(const std::string& name, const std::string& digest) override {
     ++motions_;
     const unsigned long long before = queries_;
-    MotionFile motion(name);
+    MotionPairs motion(name);
+    require(!motion.has_radii() || separation_.metric == Metric::none,
+            "before this line: a motion with radii has the separations of its own, but here is another one");
+    if (motion.has_radii()) separation_.text = " with separation euclidean, the sum of two radii";
     std::size_t steps = 0;
     check_bound(motion.lines(), name, digest, [&] { steps = check_steps(motion, name); });
     const unsigned long long count = queries_ - before;
@@ -60,7 +63,7 @@ class FullChecker : public Checker {
   }
 
   /// @returns the number of steps
-  std::size_t check_steps(MotionFile& motion, const std::string& name) {
+  std::size_t check_steps(MotionPairs& motion, const std::string& name) {
     std::size_t step = 0;
     compare_frame(motion, 0);
     do {
@@ -69,15 +72,16 @@ class FullChecker : public Checker {
       if (words_ != Words{"step", std::to_string(step)}) throw expected("\"" + step_name + "\" of " + name);
       next();
       std::uint64_t number = 0;
-      motion.for_each_pair(separation_.distance, [&](const PairKind& kind, const Element& a, const Element& b) {
-        motion.set(query_, kind, a, b);
-        set_corners(corners_, query_, kind.is_fold ? Separation() : separation_);
-        check_query(number, [&] {
-          return name + ": " + step_name + ": pair " + std::to_string(number) + " (" + MotionFile::name(a) + " and " +
-                 MotionFile::name(b) + ")";
-        });
-        ++number;
-      });
+      motion.for_each_pair(separation_,
+                           [&](const Kind& kind, const Element& a, const Element& b, const auto& separation) {
+                             motion.set(query_, kind, a, b);
+                             set_corners(corners_, query_, separation);
+                             check_query(number, [&] {
+                               return name + ": " + step_name + ": pair " + std::to_string(number) + " (" +
+                                      MotionFile::name(a) + " and " + MotionFile::name(b) + ")";
+                             });
+                             ++number;
+                           });
       require(words_.empty() || !is_digit(words_[0][0]),
               "a proof too many: the step has no more pairs whose boxes are at most the separation apart");
       ++step;

@@ -22,6 +22,15 @@ inline Number rounded_down(const mpz_class& numerator, const mpz_class& denomina
   return x;
 }
 
+/// The least m 2^e that is at least x, likewise.
+inline Number rounded_up(const Number& x) {
+  mpz_class rest;
+  const auto shift = [&](long e) { return static_cast<unsigned long>(std::max(e, 0L)); };
+  Number up = rounded_down(-(x.m << shift(x.e)), mpz_class(1) << shift(-x.e), rest);
+  up.m = -up.m;
+  return up;
+}
+
 /// The double that is nearest to a decimal or a hexfloat; of two, the one with an even significand.
 inline Number read_double(std::string_view word, const Lines& lines) {
   std::string_view text = word;
@@ -114,8 +123,8 @@ inline void set_on_body(Vector& x, Polynomial& w, const Point& point, const Moti
   }
 }
 
-/// The coordinates and the separation are multiplied by the least number that makes them integers, and the components of
-/// all q by another one, whose square all x[i] and w[i] are multiplied by: also those of curves, because a proof's
+/// The coordinates and the separation are multiplied by the least number that makes them integers, and the components
+/// of all q by another one, whose square all x[i] and w[i] are multiplied by: also those of curves, because a proof's
 /// weights are those of x[i]. @returns the first number
 inline mpz_class set_corners(Corners& corners, const Query& query, const Separation& separation) {
   const Fraction distance = fraction_of(separation.distance);

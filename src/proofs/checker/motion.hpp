@@ -1,4 +1,4 @@
-// Motion files for touchstone-check, and the pairs of their steps.
+// Motion files for touchstone-check: the elements of a mesh, and its frames.
 // SPDX-License-Identifier: MIT
 #pragma once
 
@@ -16,17 +16,19 @@ constexpr std::uint32_t kNoBody = kMostVertices;
 
 /// A point, an edge or a face, and its box during a step. Along each axis, the ends of the boxes of all vertices are
 /// sorted. `low` is the rank of the box's least coordinate, and `reach` the number of the ends that are at most D
-/// above its greatest one. Boxes a and b are at most D apart if a.low < b.reach and b.low < a.reach.
+/// above its greatest one. Boxes a and b are at most D apart if a.low < b.reach and b.low < a.reach. With radii D is the
+/// largest separation.
 struct Element {
   std::array<std::uint32_t, 3> vertices{}, low{}, reach{};
   std::size_t size = 0, number = 0;  ///< of vertices; among the elements of its sort
   bool is_fixed = false;             ///< all of its vertices are
   std::uint32_t body = kNoBody;      ///< that all of its vertices are on
+  std::uint32_t radius = 0;          ///< the number of its radius, a place in a list
 };
 
-/// A kind of pairs. A fold is that of a wire: a point, and a wire that is joined to it by another one.
-struct PairKind : Kind {
-  bool is_fold = false;
+struct Radius {
+  Number length;
+  std::string word;
 };
 
 /// A mesh, and the two frames of a step.
@@ -64,6 +66,8 @@ class MotionFile {
 
   Lines& lines() { return lines_; }
   std::size_t frame_count() const { return frame_; }  ///< those that were read
+
+  bool has_radii() const { return radii_.size() > 1; }
 
   /// @param end  0 for the first frame of the step, 1 for the second one
   /// @throws Rejected unless that frame is this file, bit by bit, with all of its triangles, lines and points, and their sides
@@ -122,42 +126,28 @@ class MotionFile {
     return true;
   }
 
-  /// Calls function(kind, first element, second element) for each pair of the step, in the order of the proofs.
-  template <class Function>
-  void for_each_pair(const Number& distance, const Function& function) {
-    set_ends();
-    for (std::size_t k = 0; k < 3; ++k) set_boxes(k, distance);
-    for_each_sort([&](const PairKind& kind, const auto& first, const auto& second) {
-      for_each_of(kind, first, second, function);
-    });
-  }
-
-  /// Whether two elements could meet in a step at all, however far apart they are: the rules leave a pair.
-  bool has_pair() const {
-    bool found = false;
-    for_each_sort([&](const PairKind& kind, const auto& first, const auto& second) {
-      const auto all = [&](const auto& holds) {
-        return std::all_of(first.begin(), first.end(), holds) && std::all_of(second.begin(), second.end(), holds);
-      };
-      // Without a look at each pair: nothing moves, or nothing but one body.
-      if (found || first.empty() || all([](const Element& e) { return e.is_fixed; })) return;
-      const std::uint32_t body = first[0].body;
-      if (body != kNoBody && all([&](const Element& e) { return e.body == body; })) return;
-      const std::vector<Element> moving = moving_of(second);
-      found = std::any_of(first.begin(), first.end(), [&](const Element& a) {
-        const std::vector<Element>& partners = a.is_fixed ? moving : second;
-        return std::any_of(partners.begin(), partners.end(), [&](const Element& b) { return may_meet(kind, a, b); });
-      });
-    });
-    return found;
-  }
-
   /// "7 frames, 121 vertices, 121 points, 320 edges, 200 faces": what the proofs are about, as a person must see.
   std::string contents() const {
     std::string text = counted(frame_, "frame", "frames") + ", " + counted(count_, "vertex", "vertices");
     for (std::size_t sort = 0; sort < 3; ++sort) {
       const std::string one(kSorts[sort]);
       text += ", " + counted(elements_[sort].size(), one, one + "s");
+    }
+    if (has_radii()) {
+      std::uint64_t count = 0;
+      const Radius *least = nullptr, *greatest = nullptr;
+      for (std::size_t sort = 0; sort < 3; ++sort) {
+        for (const Element& e : elements_[sort]) {
+          const Radius& radius = radii_[e.radius];
+          if (sign(radius.length) == 0) continue;
+          if (++count == 1) least = greatest = &radius;
+          if (compare(radius.length, least->length) < 0) least = &radius;
+          if (compare(radius.length, greatest->length) > 0) greatest = &radius;
+        }
+      }
+      text += ", " + counted(count, "element", "elements") + " with radii";
+      if (count > 0) text += " from " + least->word + " to " + greatest->word;
+      if (!near_.empty()) text += ", " + counted(near_.size(), "pair of neighbours", "pairs of neighbours");
     }
     if (!elements_[3].empty()) text += ", " + counted(elements_[3].size(), "fixed vertex", "fixed vertices");
     if (body_count_ > 0) {
@@ -192,21 +182,21 @@ class MotionFile {
     }
   }
 
- private:
+ protected:
   BadInput expected(const std::string& what) const { return lines_.bad("here must be " + what); }
 
   void read_element() {
+    if (words_[0] == "radius" || words_[0] == "near") return words_[0] == "near" ? read_near() : read_radius();
     const auto sort = static_cast<std::size_t>(std::find(kSorts.begin(), kSorts.end(), words_[0]) - kSorts.begin());
     if (sort == kSorts.size() || words_.size() != kWords[sort]) {
-      throw expected(R"("point V", "edge V0 V1", "face V0 V1 V2", "fixed V", "body V B X Y Z" or "frame")");
+      throw expected(
+          R"("point V", "edge V0 V1", "face V0 V1 V2", "fixed V", "body V B X Y Z", "radius R", "near V W" or "frame")");
     }
     Element element;
     element.number = elements_[sort].size();
+    element.radius = static_cast<std::uint32_t>(radii_.size() - 1);
     for (; element.size < kSizes[sort]; ++element.size) {
-      const std::string_view word = words_[element.size + 1];
-      std::uint32_t v = 0;
-      if (!read_count(word, kMostVertices, v) || v >= count_)
-        throw lines_.bad(quoted(word) + " is no vertex, such as 0 or 12, below " + std::to_string(count_));
+      const std::uint32_t v = read_vertex(words_[element.size + 1]);
       const auto end = element.vertices.begin() + static_cast<long>(element.size);
       lines_.require(std::find(element.vertices.begin(), end, v) == end,
                      "an element has different vertices, but this one has a vertex twice");
@@ -222,6 +212,28 @@ class MotionFile {
     body_count_ = std::max(body_count_, body + 1);
   }
 
+  std::uint32_t read_vertex(std::string_view word) const {
+    std::uint32_t v = 0;
+    if (!read_count(word, kMostVertices, v) || v >= count_)
+      throw lines_.bad(quoted(word) + " is no vertex, such as 0 or 12, below " + std::to_string(count_));
+    return v;
+  }
+
+  /// The radius of the elements after this line.
+  void read_radius() {
+    if (words_.size() != 2) throw expected("\"radius R\"");
+    Radius radius;
+    radius.word = words_[1];
+    read_number(words_[1], radius.length, lines_);
+    lines_.require(sign(radius.length) >= 0, "a radius must not be negative");
+    radii_.push_back(radius);
+  }
+  void read_near() {
+    if (words_.size() != 3) throw expected("\"near V W\"");
+    const std::uint32_t v = read_vertex(words_[1]), w = read_vertex(words_[2]);
+    lines_.require(v != w && near_.insert(side(v, w)).second,
+                   "two different vertices that are not near yet were expected");
+  }
   /// Reads the numbers of a body or of a vertex in the frame, and the line after them.
   void read_row(std::size_t size, const char* of, std::uint32_t number, bool is_fixed) {
     const auto name = [&] { return of + std::to_string(number) + " in frame " + std::to_string(frame_); };
@@ -295,132 +307,6 @@ class MotionFile {
   /// Of its coordinates in a frame.
   std::size_t index_of(std::size_t vertex) const { return kPose * body_count_ + 3 * vertex; }
 
-  /// Sets the ends of the boxes of vertices, which are those of their motion. That of a body's vertex is a mean of the
-  /// quotients of the Bernstein coefficients of x and w, if those of w are positive. These are rounded outwards.
-  void set_ends() {
-    if (body_count_ > 0) ends_ = frames_;
-    const Interval whole({0, 0}, {1, 0});
-    for (const Element& vertex : elements_[4]) {
-      set(query_, {"", 1, 1}, vertex, vertex);
-      const mpz_class unit = set_corners(corners_, query_, {});
-      corners_.w[0].resize(4);  // as many as x has
-      const Polynomial w = bernstein(corners_.w[0], whole);
-      for (std::size_t k = 0, index = index_of(vertex.vertices[0]); k < 3; ++k, ++index) {
-        const Polynomial x = bernstein(corners_.x[0][k], whole);
-        std::size_t least = 0, greatest = 0;
-        for (std::size_t c = 0; c < 4; ++c) {
-          lines_.require(w[c] > 0, "a body turns too far in the step that ends before this line");
-          if (x[c] * w[least] < x[least] * w[c]) least = c;
-          if (x[c] * w[greatest] > x[greatest] * w[c]) greatest = c;
-        }
-        mpz_class rest;
-        ends_[0][index] = rounded_down(x[least], w[least] * unit, rest);
-        Number& end = ends_[1][index] = rounded_down(-x[greatest], w[greatest] * unit, rest);
-        end.m = -end.m;
-      }
-    }
-  }
-
-  /// Sets the boxes along one axis.
-  void set_boxes(std::size_t k, const Number& distance) {
-    const auto& ends = body_count_ > 0 ? ends_ : frames_;
-    const auto at = [&](std::size_t i) -> const Number& { return ends[i / count_][index_of(i % count_) + k]; };
-    std::vector<std::uint32_t> order(2 * std::size_t{count_}), rank(order.size()), reach(order.size());
-    std::iota(order.begin(), order.end(), 0U);
-    std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) { return compare(at(a), at(b)) < 0; });
-    for (std::uint32_t i = 0, end = 0; i < order.size(); ++i) {
-      const Number farthest = at(order[i]) + distance;
-      while (end < order.size() && compare(at(order[end]), farthest) <= 0) ++end;
-      rank[order[i]] = i;
-      reach[order[i]] = end;
-    }
-    for (std::vector<Element>& elements : elements_) {
-      for (Element& element : elements) {
-        element.low[k] = std::numeric_limits<std::uint32_t>::max();
-        element.reach[k] = 0;
-        for (std::size_t i = 0; i < 2 * element.size; ++i) {
-          const std::size_t v = element.vertices[i / 2] + (i % 2) * std::size_t{count_};
-          element.low[k] = std::min(element.low[k], rank[v]);
-          element.reach[k] = std::max(element.reach[k], reach[v]);
-        }
-      }
-    }
-  }
-
-  /// Calls the function for each sort of pairs, in the order of the proofs: its kind, first and second elements.
-  template <class Function>
-  void for_each_sort(const Function& function) const {
-    const auto& [points, edges, faces, fixed, on_bodies, lone, ends, wires] = elements_;
-    function(PairKind{kKinds[0]}, edges, edges);
-    function(PairKind{kKinds[1]}, points, faces);
-    function(PairKind{kKinds[2]}, lone, edges);
-    function(PairKind{kKinds[3]}, lone, lone);
-    function(PairKind{kKinds[2], true}, ends, wires);
-  }
-
-  static std::vector<Element> moving_of(const std::vector<Element>& elements) {
-    std::vector<Element> moving;
-    std::copy_if(elements.begin(), elements.end(), std::back_inserter(moving),
-                 [](const Element& e) { return !e.is_fixed; });
-    return moving;
-  }
-
-  /// Elements in the order of the low ends of their boxes along an axis.
-  struct Row {
-    std::vector<Element> elements;
-    std::vector<std::uint32_t> farthest;  ///< the greatest reach of a box and those before it
-    Row(std::vector<Element> all, std::size_t axis) : elements(std::move(all)) {
-      std::sort(elements.begin(), elements.end(),
-                [&](const Element& a, const Element& b) { return a.low[axis] < b.low[axis]; });
-      for (const Element& b : elements) {
-        farthest.push_back(std::max(b.reach[axis], farthest.empty() ? 0 : farthest.back()));
-      }
-    }
-  };
-
-  /// It holds the partners of one element at a time, not all pairs.
-  template <class Function>
-  void for_each_of(const PairKind& kind, const std::vector<Element>& first, const std::vector<Element>& second,
-                   const Function& function) {
-    // The boxes in the order of their low ends, along the axis on which they are narrowest.
-    std::array<std::uint64_t, 3> width{};
-    for (const Element& b : second) {
-      for (std::size_t k = 0; k < 3; ++k) width[k] += b.reach[k] - b.low[k];
-    }
-    const auto axis = static_cast<std::size_t>(std::min_element(width.begin(), width.end()) - width.begin());
-    const Row all(second, axis), moving(moving_of(second), axis);
-    for (const Element& a : first) {
-      const auto& [row, farthest] = a.is_fixed ? moving : all;  // many may be fixed in one place
-      std::vector<const Element*> partners;
-      // The boxes before this one end below a, and those behind the last one of the loop begin above it.
-      const auto begin = std::upper_bound(farthest.begin(), farthest.end(), a.low[axis]) - farthest.begin();
-      for (auto i = static_cast<std::size_t>(begin); i < row.size() && row[i].low[axis] < a.reach[axis]; ++i) {
-        if (is_pair(kind, a, row[i]) && (&first != &second || a.number < row[i].number)) partners.push_back(&row[i]);
-      }
-      std::sort(partners.begin(), partners.end(), [](const auto* x, const auto* y) { return x->number < y->number; });
-      for (const Element* b : partners) function(kind, a, *b);
-    }
-  }
-
-  /// Whether the boxes are near, and the rules leave the pair.
-  bool is_pair(const PairKind& kind, const Element& a, const Element& b) const {
-    for (std::size_t k = 0; k < 3; ++k) {
-      if (a.low[k] >= b.reach[k] || b.low[k] >= a.reach[k]) return false;
-    }
-    return may_meet(kind, a, b);
-  }
-  bool may_meet(const PairKind& kind, const Element& a, const Element& b) const {
-    for (std::size_t i = 0; i < a.size; ++i) {
-      for (std::size_t j = 0; j < b.size; ++j) {
-        if (a.vertices[i] == b.vertices[j]) return false;
-      }
-    }
-    if (kind.is_fold && !are_joined(a.vertices[0], b.vertices[0]) && !are_joined(a.vertices[0], b.vertices[1])) {
-      return false;
-    }
-    return !(a.is_fixed && b.is_fixed) && (a.body == kNoBody || a.body != b.body);
-  }
-
   Lines lines_;
   Words words_;
   std::uint32_t count_ = 0, body_count_ = 0;
@@ -435,8 +321,8 @@ class MotionFile {
   std::array<std::vector<Element>, 8> elements_;
   std::vector<std::array<std::uint32_t, 2>> joined_;  ///< the corners of wires, sorted
   std::array<std::set<std::uint32_t>, 5> single_;     ///< the vertices that have a line of each sort
-  Query query_;
-  Corners corners_;
+  std::vector<Radius> radii_ = {Radius()};            ///< 0, and those of the lines `radius`
+  std::set<std::array<std::uint32_t, 2>> near_;
 };
 
 }  // namespace checker
