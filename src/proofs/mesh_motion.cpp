@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
+#include <type_traits>
 #include <utility>
 
 #include <touchstone/curved.hpp>
@@ -11,6 +13,7 @@
 #include "geometry/kind_traits.hpp"
 #include "io/times.hpp"
 #include "numbers/doubles/float_environment.hpp"
+#include "numbers/doubles/rounded_sum.hpp"
 #include "proofs/body_box.hpp"
 #include "proofs/proof_text.hpp"
 #include "proofs/step_boxes.hpp"
@@ -75,6 +78,8 @@ StepProver::StepProver(MotionElements elements, const Separation& separation)
     in_wire[v] = in_wire[w] = 1;
   }
   std::sort(joined_.begin(), joined_.end());
+  for (auto& [v, w] : elements_.radii.near) std::tie(v, w) = std::pair(std::min(v, w), std::max(v, w));
+  std::sort(elements_.radii.near.begin(), elements_.radii.near.end());
   for (Index i = 0; i < elements_.points.size(); ++i) {
     if (in_edge[elements_.points[i]] == 0) loose_.push_back(i);
     if (in_wire[elements_.points[i]] != 0) wire_ends_.push_back(i);
@@ -103,7 +108,12 @@ std::vector<MotionPair> StepProver::pairs(const MotionFrame& start, const Motion
     }
   }
   const bool straight = elements_.on_bodies.empty();
-  const StepBoxes boxes(elements_, straight ? start : low, straight ? end : high, separation_.distance, threads);
+  // Without radii, folds have the boxes of the file's separation.
+  const auto separation = [&](const MotionPair& pair) {
+    return elements_.radii.any() ? separation_of(pair).distance : separation_.distance;
+  };
+  const StepBoxes boxes(elements_, straight ? start : low, straight ? end : high, {largest_separation(), separation},
+                        threads);
   const Points points{elements_.points};
   const SomePoints loose{elements_.points, loose_};
   const Cells<2> edges{elements_.edges};
@@ -137,7 +147,38 @@ std::array<std::uint32_t, 4> StepProver::corners_of(const MotionPair& pair) cons
 
 Separation StepProver::separation_of(const MotionPair& pair) const noexcept {
   const bool is_fold = pair.kind == Kind::point_edge && !std::binary_search(loose_.begin(), loose_.end(), pair.first);
-  return is_fold ? Separation{0, separation_.metric} : separation_;
+  if (is_fold) return {0, separation_.metric};
+  const MotionRadii& radii = elements_.radii;
+  if (!radii.any()) return separation_;
+  if (are_near(pair)) return {};
+  const auto radius = [&](const geometry::Element& element, Index i) {
+    return (element.sort == MeshElement::vertex ? radii.points
+            : element.sort == MeshElement::edge ? radii.edges
+                                                : radii.faces)[i];
+  };
+  const auto& traits = geometry::traits_of(pair.kind);
+  return {numbers::sum_rounded_up(radius(traits.first, pair.first), radius(traits.second, pair.second))};
+}
+
+bool StepProver::are_near(const MotionPair& pair) const noexcept {
+  const auto& near = elements_.radii.near;
+  if (near.empty()) return false;
+  const auto corners = corners_of(pair);
+  const std::size_t first = geometry::corners_of_first(pair.kind);
+  for (std::size_t i = 0; i < first; ++i) {
+    for (std::size_t j = first; j < corner_count(pair.kind); ++j) {
+      if (std::binary_search(near.begin(), near.end(), side(corners[i], corners[j]))) return true;
+    }
+  }
+  return false;
+}
+
+double StepProver::largest_separation() const noexcept {
+  double largest = 0;
+  for (const auto* radii : {&elements_.radii.points, &elements_.radii.edges, &elements_.radii.faces}) {
+    for (const double radius : *radii) largest = std::max(largest, radius);
+  }
+  return std::max(separation_.distance, 2 * largest);
 }
 
 Query StepProver::query_of(const MotionPair& pair, const MotionFrame& start, const MotionFrame& end) const {
@@ -198,9 +239,26 @@ std::string motion_head(const MotionElements& elements) {
     for (const Index vertex : vertices) text += ' ' + std::to_string(vertex);
     text += '\n';
   };
-  for (const Index vertex : elements.points) add("point", std::array{vertex});
-  for (const auto& edge : elements.edges) add("edge", edge);
-  for (const auto& face : elements.faces) add("face", face);
+  double radius = 0;  // of the elements after the last line `radius`
+  const auto add_all = [&](const char* sort, const auto& all, const std::vector<double>& radii) {
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      if (!radii.empty() && radii[i] != radius) {
+        radius = radii[i];
+        text += "radius ";
+        append_coordinate(text, radius);
+        text += '\n';
+      }
+      if constexpr (std::is_same_v<decltype(all), const std::vector<Index>&>) {
+        add(sort, std::array{all[i]});
+      } else {
+        add(sort, all[i]);
+      }
+    }
+  };
+  add_all("point", elements.points, elements.radii.points);
+  add_all("edge", elements.edges, elements.radii.edges);
+  add_all("face", elements.faces, elements.radii.faces);
+  for (const auto& vertices : elements.radii.near) add("near", vertices);
   for (Index vertex = 0; vertex < elements.fixed.size(); ++vertex) {
     if (elements.fixed[vertex] != 0) add("fixed", std::array{vertex});
   }

@@ -22,6 +22,16 @@ struct BodyVertex {
   Vec3 point;  ///< in the body's own frame
 };
 
+/// The radii of the elements of a motion, none of them negative. All are empty where each radius is zero.
+struct MotionRadii {
+  std::vector<double> points, edges, faces;
+  /// Pairs of different vertices, each once: elements one of which has one of the two, and the other one the other, only
+  /// do not touch.
+  std::vector<std::array<std::uint32_t, 2>> near;
+
+  bool any() const noexcept { return !points.empty() || !edges.empty() || !faces.empty(); }
+};
+
 /// The elements of a motion file. The numbers of vertices are below vertex_count.
 struct MotionElements {
   std::size_t vertex_count = 0;
@@ -30,6 +40,7 @@ struct MotionElements {
   std::vector<std::array<std::uint32_t, 3>> faces;  ///< of different vertices
   std::vector<char> fixed;                          ///< by vertex: whether it never moves; empty when all may
   std::vector<BodyVertex> on_bodies = {};           ///< the last vertices
+  MotionRadii radii = {};
 
   std::size_t free_count() const noexcept { return vertex_count - on_bodies.size(); }  ///< vertices on no body
 };
@@ -63,7 +74,7 @@ bool at_most_apart(double a, double b, double distance) noexcept;
 /// Finds the pairs of a step, and proves the answer to each.
 class StepProver {
  public:
-  /// @param separation  of all pairs but folds, for which it is zero
+  /// @param separation  of all pairs but folds, for which it is zero; zero with radii
   StepProver(MotionElements elements, const Separation& separation);
 
   const MotionElements& elements() const noexcept { return elements_; }
@@ -77,7 +88,7 @@ class StepProver {
   std::vector<MotionPair> pairs(const MotionFrame& start, const MotionFrame& end, int threads) const;
 
   /// The separation that a pair's proof is about: zero for a fold, a point and a wire that another wire joins. Wires
-  /// are edges that are no sides of faces.
+  /// are edges that are no sides of faces. With radii, their sum, rounded up, but zero where vertices are near.
   Separation separation_of(const MotionPair& pair) const noexcept;
 
   /// Of a pair without a vertex on a body.
@@ -91,6 +102,8 @@ class StepProver {
 
  private:
   std::array<std::uint32_t, 4> corners_of(const MotionPair& pair) const noexcept;
+  bool are_near(const MotionPair& pair) const noexcept;
+  double largest_separation() const noexcept;
   bool is_curved(const MotionPair& pair) const noexcept;
 
   MotionElements elements_;

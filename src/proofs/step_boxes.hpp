@@ -6,6 +6,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <mutex>
 #include <tuple>
@@ -135,18 +136,24 @@ class Rules {
   const MotionElements& elements_;
 };
 
+/// How far apart the boxes of a pair may be, and the most that it can be.
+struct BoxReach {
+  double largest;
+  std::function<double(const MotionPair&)> of;
+};
+
 /// The boxes of a step, and its pairs. The box of a vertex reaches from `start` to `end` along each axis.
 class StepBoxes {
  public:
-  StepBoxes(const MotionElements& elements, const MotionFrame& start, const MotionFrame& end, double distance,
+  StepBoxes(const MotionElements& elements, const MotionFrame& start, const MotionFrame& end, BoxReach reach,
             int threads)
-      : rules_(elements), start_(start), end_(end), distance_(distance), threads_(threads) {}
+      : rules_(elements), start_(start), end_(end), reach_(std::move(reach)), threads_(threads) {}
 
   template <class List>
   RestingTree tree(const List& list) const {
-    // The tree finds boxes that meet. So each is wider by half of the distance or more; what it finds beyond the pairs
-    // is left out by an exact comparison. Half of a subnormal distance may be no double.
-    const double reach = distance_ > 0 ? std::max(distance_ / 2, std::numeric_limits<double>::min()) : 0;
+    // The tree finds boxes that meet. So each is wider by half of the largest reach or more; what it finds beyond the
+    // pairs is left out by an exact comparison. Half of a subnormal reach may be no double.
+    const double reach = reach_.largest > 0 ? std::max(reach_.largest / 2, std::numeric_limits<double>::min()) : 0;
     return RestingTree(
         list.size(),
         [&](Index i) {
@@ -175,8 +182,9 @@ class StepBoxes {
       for (std::size_t n = 0; n < count; ++n) {
         auto [i, j] = found[n];
         if (tree_b == nullptr && j < i) std::swap(i, j);
-        if (is_pair(a.corners(i), b.corners(j)) && keep(a.corners(i), b.corners(j)))
-          kept[kept_count++] = {kind, a.number(i), b.number(j)};
+        const MotionPair pair{kind, a.number(i), b.number(j)};
+        if (!rules_.may_meet(a.corners(i), b.corners(j)) || !keep(a.corners(i), b.corners(j))) continue;
+        if (are_near(a.corners(i), b.corners(j), reach_.of(pair))) kept[kept_count++] = pair;
       }
       const std::lock_guard<std::mutex> guard(lock);
       pairs.insert(pairs.end(), kept.begin(), kept.begin() + static_cast<std::ptrdiff_t>(kept_count));
@@ -205,12 +213,11 @@ class StepBoxes {
   }
 
   template <std::size_t N, std::size_t M>
-  bool is_pair(const std::array<Index, N>& a, const std::array<Index, M>& b) const noexcept {
-    if (!rules_.may_meet(a, b)) return false;
+  bool are_near(const std::array<Index, N>& a, const std::array<Index, M>& b, double reach) const noexcept {
     const Box box_a = around(a), box_b = around(b);
     for (std::size_t k = 0; k < 3; ++k) {
-      if (!at_most_apart(box_a.low[k], box_b.high[k], distance_)) return false;
-      if (!at_most_apart(box_b.low[k], box_a.high[k], distance_)) return false;
+      if (!at_most_apart(box_a.low[k], box_b.high[k], reach)) return false;
+      if (!at_most_apart(box_b.low[k], box_a.high[k], reach)) return false;
     }
     return true;
   }
@@ -218,7 +225,7 @@ class StepBoxes {
   Rules rules_;
   const MotionFrame& start_;
   const MotionFrame& end_;
-  double distance_;
+  BoxReach reach_;
   int threads_;
 };
 

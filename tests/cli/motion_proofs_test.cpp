@@ -305,6 +305,40 @@ TEST_CASE("simulate: every substep is a step of the motion, no pair has a contac
   const auto motion = lines_of(folder.read("hoop1/motion.txt"));
   CHECK(
       std::any_of(motion.begin(), motion.end(), [](const std::string& line) { return line.rfind("fixed ", 0) == 0; }));
+  const Run checked = check(folder, "hoop1");
+  CAPTURE(checked.out);
+  CHECK(occurrences(checked.out, " with separation euclidean, the sum of two radii: ") == 1);
+  CHECK(occurrences(checked.out, " elements with radii from 0x1.0624dd2f1a9fcp-9 to 0x1.26e978d4fdf3bp-7, ") == 1);
+}
+
+TEST_CASE("simulate: pairs are proved to keep the sum of their radii, and neighbours along a cable not to touch") {
+  const TemporaryFolder folder;
+  // A cable with segments shorter than its radius, and a sphere that comes to rest on it.
+  const std::string scene = folder.write("scene.json", R"({"touchstone_scene": 1, "particles": [
+      {"position": [0, 0, 0], "pinned": true}, {"position": [0.25, 0, 0]}, {"position": [0.5, 0, 0]},
+      {"position": [0.75, 0, 0]}, {"position": [1, 0, 0], "pinned": true}, {"position": [0.5, 0.1, 0.875], "mass": 1,
+      "radius": 0.5}], "cables": [{"particles": [0, 1, 2, 3, 4], "radius": 0.25, "solid": true, "density": 1000,
+      "young": 1e6}]})");
+  const Run made = run_program({"simulate", scene, "--steps", "20", "--prove", folder.path("out")});
+  CAPTURE(made.out, made.err);
+  REQUIRE(made.status == 0);
+  const Run checked = check(folder, "out");
+  CAPTURE(checked.out, checked.err);
+  CHECK(checked.status == 0);
+  CHECK(occurrences(checked.out, " elements with radii from 0x1p-2 to 0x1p-1, ") == 1);
+  CHECK(occurrences(checked.out, " pairs of neighbours") == 1);
+
+  // With a longer radius the proofs show too little.
+  std::string longer = folder.read("out/motion.txt");
+  const auto at = longer.find("radius 0x1p-1\n");
+  REQUIRE(at != std::string::npos);
+  longer.replace(at, 13, "radius 0x1p0");
+  std::string proofs = folder.read("out/proofs.txt");
+  const auto digest = proofs.find("mesh ") + 5;
+  proofs.replace(digest, 64, "-");
+  folder.write("out/motion.txt", longer);
+  folder.write("out/proofs.txt", proofs);
+  CHECK(check(folder, "out").status == 1);
 }
 
 TEST_CASE("simulate: the motion goes on after a checkpoint; contacts that the paper's method lets pass are proved") {

@@ -68,6 +68,10 @@ void add_bodies(proofs::MotionElements& elements, const sim::BodyColliders& coll
     for (const sim::Face& face : surface.faces) {
       elements.faces.push_back({first + face[0], first + face[1], first + face[2]});
     }
+    if (!colliders.has_separations()) continue;
+    elements.radii.points.resize(elements.points.size(), colliders.radius(b));
+    elements.radii.edges.resize(elements.edges.size(), colliders.radius(b));
+    elements.radii.faces.resize(elements.faces.size(), colliders.radius(b));
   }
 }
 
@@ -80,6 +84,17 @@ proofs::MotionElements motion_elements(const sim::Simulation& simulation) {
   elements.edges = colliders.edges();
   elements.faces = colliders.faces();
   for (sim::Index p = 0; p < elements.vertex_count; ++p) elements.fixed.push_back(colliders.can_move(p) ? 0 : 1);
+  if (simulation.has_separations()) {
+    for (const sim::Index p : elements.points)
+      elements.radii.points.push_back(colliders.radius_of(MeshElement::vertex, p));
+    for (sim::Index e = 0; e < elements.edges.size(); ++e) {
+      elements.radii.edges.push_back(colliders.radius_of(MeshElement::edge, e));
+    }
+    for (sim::Index f = 0; f < elements.faces.size(); ++f) {
+      elements.radii.faces.push_back(colliders.radius_of(MeshElement::face, f));
+    }
+    colliders.neighbours().for_each([&](sim::Index a, sim::Index b) { elements.radii.near.push_back({a, b}); });
+  }
   if (simulation.bodies() != nullptr) add_bodies(elements, simulation.bodies()->colliders());
   return elements;
 }
@@ -258,7 +273,7 @@ std::string SimulateOutput::proofs_summary() const {
   if (!motion_) return {};
   std::string text = motion_->summary();
   if (simulation_->has_separations()) {
-    text += "not in the proofs: the distances that radii ask for; they are about touching\n";
+    text += "the proofs are about the distances that radii ask for\n";
   }
   return text;
 }

@@ -29,6 +29,14 @@ class Neighbours {
   /// radii, rounded up.
   bool near(Index a, Index b, double d) const noexcept;
 
+  /// Calls f(a, b) for each pair of particles that are near for some d.
+  template <class F>
+  void for_each(F&& f) const {
+    for (Index a = 0; a + 1 < first_.size(); ++a) {
+      for (std::size_t i = first_[a]; i < first_[a + 1]; ++i) f(a, others_[i].to);
+    }
+  }
+
  private:
   struct Way {
     Index to = 0;
