@@ -14,8 +14,7 @@ Definition cross (a b : point) : point :=
   Point (py a * pz b - pz a * py b) (pz a * px b - px a * pz b) (px a * py b - py a * px b).
 
 (* Sums and means with weights, over points in the order of the weights. *)
-Fixpoint total (weights : list R) : R :=
-  match weights with w :: rest => w + total rest | [] => 0 end.
+Fixpoint total (weights : list R) : R := match weights with w :: rest => w + total rest | [] => 0 end.
 Fixpoint weighted_sum (weights : list R) (points : list point) : point :=
   match weights, points with
   | w :: weights', a :: points' => plus (scale w a) (weighted_sum weights' points')
@@ -54,8 +53,7 @@ Definition in_hull (points : list point) (x : point) : Prop :=
 Inductive separation := Zero | Euclidean (D : Q) | Max (D : Q).
 Definition near (s : separation) (v : point) : Prop :=
   match s with
-  | Zero => v = Point 0 0 0
-  | Euclidean D => sqrt (dot v v) <= Q2R D
+  | Zero => v = Point 0 0 0 | Euclidean D => sqrt (dot v v) <= Q2R D
   | Max D => Rabs (px v) <= Q2R D /\ Rabs (py v) <= Q2R D /\ Rabs (pz v) <= Q2R D
   end.
 Record query := Query { first : list corner; second : list corner; apart : separation }.
@@ -79,3 +77,33 @@ Definition holds (q : query) (a : answer) : Prop :=
       /\ 0 <= Q2R T < Q2R U /\ Q2R U <= 1 /\ (forall t, 0 <= t <= Q2R T -> ~ in_contact q t)
       /\ exists t, Q2R T < t < Q2R U /\ in_contact q t
   end.
+
+(* One step of a motion of a mesh. Vertices are numbers; `corner_of` gives the corner of each. Elements have an index
+   among those of their sort. A wire is an edge of no face. In a fold another wire joins a point to a wire. *)
+Record simplex := Simplex { index : Z; vertices : list Z }.
+Record mesh := Mesh { points : list simplex; edges : list simplex; faces : list simplex; fixed : Z -> bool;
+                      asked : separation }.
+Definition disjoint (a b : simplex) : Prop := forall v, In v (vertices a) -> ~ In v (vertices b).
+Definition lone m p : Prop := In p (points m) /\ forall e, In e (edges m) -> disjoint p e.
+Definition wire m e : Prop := In e (edges m) /\ forall f, In f (faces m) -> ~ incl (vertices e) (vertices f).
+Inductive sort := Two_edges | Point_face | Point_edge | Two_points | Fold.
+Definition are_pair (m : mesh) (s : sort) (a b : simplex) : Prop :=
+  match s with
+  | Two_edges => In a (edges m) /\ In b (edges m) /\ (index a < index b)%Z
+  | Point_face => In a (points m) /\ In b (faces m)
+  | Point_edge => lone m a /\ In b (edges m)
+  | Two_points => lone m a /\ lone m b /\ (index a < index b)%Z
+  | Fold => In a (points m) /\ wire m b
+      /\ exists c v, wire m c /\ incl (v :: vertices a) (vertices c) /\ In v (vertices b)
+  end.
+Definition can_meet m (corner_of : Z -> corner) a b : Prop :=
+  disjoint a b /\ ~ (forall v, In v (vertices a ++ vertices b) -> fixed m v = true)
+  /\ ~ exists n, forall v, In v (vertices a ++ vertices b) -> exists x y, corner_of v = On_body n x y.
+Definition query_of (m : mesh) (corner_of : Z -> corner) (s : sort) (a b : simplex) : query :=
+  Query (map corner_of (vertices a)) (map corner_of (vertices b)) (match s with Fold => Zero | _ => asked m end).
+
+(* The answers hold, and the pairs without an answer are not in contact. *)
+Definition step_holds m corner_of (answers : list (sort * simplex * simplex * answer)) : Prop :=
+  (forall s a b x, In (s, a, b, x) answers -> holds (query_of m corner_of s a b) x)
+  /\ forall s a b, are_pair m s a b -> can_meet m corner_of a b ->
+     (exists x, In (s, a, b, x) answers) \/ holds (query_of m corner_of s a b) No_contact.
