@@ -3,6 +3,7 @@
    SPDX-License-Identifier: MIT *)
 open Proved
 open Text
+open Meshes
 
 (* A query file, and its next row; it is empty at the end. *)
 type file = { f : lines; is_curved : bool; mutable row : string list }
@@ -82,12 +83,99 @@ let read_answer f i line = match line with
     if Z.equal t.qnum u.qnum && Z.equal t.qden u.qden then Contact_at t else Contact_between (t, u)
   | _ -> reject f (Printf.sprintf "here must be \"%d none\" or \"%d contact T U\"" i i)
 
-let counted n one several = Printf.sprintf "%d %s" n (if n = 1 then one else several)
 let is_digest d = d = "-" || String.length d = 64 && String.for_all (fun c -> is_digit c || (c >= 'a' && c <= 'f')) d
 
-(* The proofs of one query file. @returns how many queries and contacts it has, and the next line *)
-let check_file f line name =
-  let (apart, text, line) = match line with
+(* Checks proofs about a file, and that it is the file that they name, which is the reason if it is not. *)
+let check_bound name lines digest check =
+  let compare_digests () =
+    if digest <> "-" && Text.digest lines <> digest then
+      raise (Rejected (Printf.sprintf "%s: the proofs are about another file: they name the digest %s" name digest)) in
+  match check () with
+  | result -> compare_digests (); close_in lines.channel; result
+  | exception Rejected reason -> compare_digests (); raise (Rejected reason)
+
+(* @returns how many queries and contacts the file has, the next line, and what is said of the file *)
+let check_queries f (shape, kind) digest name apart line =
+  let q = opened_queries name in
+  let rec check_from i contacts line = match next_query q shape apart with
+    | None -> (i, contacts, line)
+    | Some query ->
+      let answer = read_answer f i line in
+      let (proof, line) = Hints.read_proof f shape query answer in
+      if not (check query answer proof) then
+        raise (Rejected (Printf.sprintf "%s: query %d: the proof before line %d does not hold" name i f.number));
+      check_from (i + 1) (if answer = No_contact then contacts else contacts + 1) line in
+  let (queries, contacts, line) = check_bound name q.f digest (fun () -> check_from 0 0 line) in
+  if queries = 0 then raise (Bad (name ^ ": there is nothing to check: the file has no query"));
+  let text separation = (if q.is_curved then " with curved motion" else "") ^ separation in
+  (queries, contacts, line, counted queries (kind ^ " query") (kind ^ " queries"), text)
+
+let none_near = "no two elements that move against each other come near enough to need a proof"
+(* The proofs of the pairs of a step. @returns how many pairs and contacts it has, and the next line *)
+let check_pairs f name k near holds m mesh line =
+  let what = Printf.sprintf "%s: step %d: " name k in
+  let corners = corners m in
+  let corner_of v = corners.(Z.to_int v) in
+  let hints = Boxes.hints m corners in
+  let pairs = match near corner_of hints with
+    | Some pairs -> Array.of_list pairs
+    | None -> raise (Rejected (what ^ "the boxes do not hold the vertices")) in
+  let rank (((sort, a), b) : pair) = (Z.to_int (sort_number sort), Z.to_int a.index, Z.to_int b.index) in
+  let order = Array.init (Array.length pairs) Fun.id in
+  Array.stable_sort (fun i j -> compare (rank pairs.(i)) (rank pairs.(j))) order;
+  let claims = Array.make (Array.length pairs) None and rest = ref line in
+  let asked (((sort, a), b) : pair) = query_of mesh corner_of sort a b in
+  let read number i =
+    let query = asked pairs.(i) in
+    let answer = read_answer f number !rest in
+    let (proof, line) = Hints.read_proof f (List.length query.first, List.length query.second) query answer in
+    claims.(i) <- Some ((pairs.(i), answer), proof);
+    rest := line in
+  let reject_first number i = match claims.(i) with  (* of those that do not hold *)
+    | Some (((((_, a), b) as pair), answer), proof) when not (check (asked pair) answer proof) ->
+      let called e = List.nth ["point "; "edge "; "face "] (List.length e.vertices - 1) ^ Z.to_string e.index in
+      let pair = Printf.sprintf "pair %d (%s and %s)" number (called a) (called b) in
+      raise (Rejected (what ^ pair ^ ": the proof does not hold"))
+    | _ -> () in
+  (try Array.iteri read order with (Rejected _ | Bad _) as error -> Array.iteri reject_first order; raise error);
+  let claims = Array.map Option.get claims in
+  if not (holds corner_of hints (Array.to_list claims)) then begin
+    Array.iteri reject_first order;
+    raise (Rejected (what ^ "the list of its pairs does not hold"))
+  end;
+  if match !rest with word :: _ -> is_digit word.[0] | [] -> false then
+    reject f "a proof too many: the step has no more pairs whose boxes are at most the separation apart";
+  let counted_contacts n ((_, answer), _) = if answer = No_contact then n else n + 1 in
+  (Array.length pairs, Array.fold_left counted_contacts 0 claims, !rest)
+let check_motion f digest name apart line =
+  let (first, next) = opened_motion name apart in
+  let in_order l =  (* near elements come one after the other *)
+    let elements = Array.of_list l in
+    let keyed = Array.map2 (fun key e -> (key, e)) (Boxes.keys first elements) elements in
+    Array.stable_sort (fun (k, _) (k', _) -> compare (k : int) k') keyed;
+    Array.to_list (Array.map snd keyed) in
+  let { points; edges; faces; _ } = first.mesh in
+  let mesh = { first.mesh with points = in_order points; edges = in_order edges; faces = in_order faces } in
+  let near = near_pairs mesh and holds = check_step mesh in
+  let rec check_from m k pairs contacts line =
+    if line <> ["step"; string_of_int k] then reject f (Printf.sprintf "here must be \"step %d\" of %s" k name);
+    let (p, c, line) = check_pairs f name k near holds m mesh (words f) in
+    match next m with
+    | Some m -> check_from m (k + 1) (pairs + p) (contacts + c) line
+    | None -> (m, k + 1, pairs + p, contacts + c, line) in
+  let (last, steps, pairs, contacts, line) = check_bound name first.f digest (fun () -> check_from first 0 0 0 line) in
+  let contents = contents last in
+  if pairs = 0 && not (has_pair last) then
+    raise (Bad (Printf.sprintf "%s: there is nothing to check: %s, but no two elements that share no vertex and are \
+      neither all fixed nor all on one body" name contents));
+  let text separation = Printf.sprintf " in %s%s: %s%s" (counted steps "step" "steps") separation contents
+    (if pairs = 0 then "; " ^ none_near else "") in
+  (pairs, contacts, line, counted pairs "mesh query" "mesh queries", text)
+
+(* The proofs of one file; what is said of it is added to the report.
+   @returns how many queries, contacts and motions it has, and the next line *)
+let check_file f report line name =
+  let (apart, separation, line) = match line with
     | ["separation"; ("euclidean" | "max" as metric); word] ->
       let d = rational (number f word) in
       if Z.sign d.qnum <= 0 then reject f "the separation must be above zero";
@@ -96,49 +184,46 @@ let check_file f line name =
     | "separation" :: _ -> reject f "here must be \"separation euclidean D\" or \"separation max D\""
     | _ -> (Zero, "", line) in
   match line with
-  | "file" :: "mesh" :: _ -> raise (Bad (name ^ ": proofs of motions are not covered: touchstone-check checks them"))
-  | "file" :: kind :: digest :: _ :: _ when List.mem_assoc kind kinds && is_digest digest ->
-    let shape = List.assoc kind kinds and q = opened_queries name in
-    let rec check_from i contacts line = match next_query q shape apart with
-      | None -> (i, contacts, line)
-      | Some query ->
-        let answer = read_answer f i line in
-        let (proof, line) = Hints.read_proof f shape query answer in
-        if not (check query answer proof) then
-          raise (Rejected (Printf.sprintf "%s: query %d: the proof before line %d does not hold" name i f.number));
-        check_from (i + 1) (if answer = No_contact then contacts else contacts + 1) line in
-    let (queries, contacts, line) = check_from 0 0 (words f) in
-    if queries = 0 then raise (Bad (name ^ ": there is nothing to check: the file has no query"));
-    close_in q.f.channel;
-    let text = (if q.is_curved then " with curved motion" else "") ^ text in
-    Printf.printf "%s: %s%s\n" (printable name) (counted queries (kind ^ " query") (kind ^ " queries")) text;
-    (queries, contacts, line)
+  | "file" :: kind :: digest :: _ :: _ when (kind = "mesh" || List.mem_assoc kind kinds) && is_digest digest ->
+    let is_mesh = kind = "mesh" and line = words f in
+    let (queries, contacts, line, number, text) =
+      if is_mesh then check_motion f digest name apart line
+      else check_queries f (List.assoc kind kinds, kind) digest name apart line in
+    Buffer.add_string report (Printf.sprintf "%s: %s%s\n" (printable name) number (text separation));
+    (queries, contacts, Bool.to_int is_mesh, line)
   | _ -> reject f ("here must be \"file KIND DIGEST NAME\": the proofs for " ^ name)
 
-let run proofs files =
-  let f = opened proofs in
+let run allow_empty proofs files =
+  let f = opened proofs and report = Buffer.create 256 in
   if words f <> ["touchstone-proofs"; "1"] then bad f "the first line must be \"touchstone-proofs 1\"";
-  let check (queries, contacts, line) name =
-    let (q, c, line) = check_file f line name in (queries + q, contacts + c, line) in
-  let (queries, contacts, line) = List.fold_left check (0, 0, words f) files in
+  let check (queries, contacts, motions, line) name =
+    let (q, c, m, line) = check_file f report line name in (queries + q, contacts + c, motions + m, line) in
+  let (queries, contacts, motions, line) = List.fold_left check (0, 0, 0, words f) files in
   if line <> ["end"; string_of_int queries; string_of_int contacts] || words f <> [] then
     reject f (Printf.sprintf "here must be \"end %d %d\", and nothing after it" queries contacts);
-  Printf.printf "%s checked: %s, %d without contact\n%!" (counted queries "query" "queries")
-    (counted contacts "contact" "contacts") (queries - contacts)
+  if queries = 0 && not allow_empty then
+    raise (Rejected ("no query was checked: " ^ none_near ^ "; --allow-empty accepts this, and the digest of each file \
+      must show that it is the right one"));
+  let answers = Printf.sprintf "%s, %d without contact" (counted contacts "contact" "contacts") (queries - contacts) in
+  print_string (Buffer.contents report);
+  Printf.printf "%s checked: %s%s\n%!" (counted queries "query" "queries") (if queries > 0 then answers else none_near)
+    (if motions > 0 then "; whether a first frame intersects itself was not asked" else "")
 
 let () =
   let finish status text = prerr_endline text; exit status in
-  let usage = "usage: touchstone-check-proved PROOFS FILE...\n\
-    Checks the proofs of `touchstone prove` against their query files, in their order. The checker is proved in Coq.\n\
-    Exit status: 0 every proof holds, 1 some proof does not, 2 bad usage, a file that cannot be read, one with\n\
-    nothing to check, or a motion of meshes, which is not covered." in
-  let words = match List.tl (Array.to_list Sys.argv) with
-    | "--allow-empty" :: rest -> rest  (* touchstone-check has it, for motions *)
-    | words -> words in
+  let usage = "usage: touchstone-check-proved [--allow-empty] PROOFS FILE...\n\
+    Checks the proofs of `touchstone prove` against their query files or motion files, in their order. Each file must\n\
+    have the digest that the proofs name. The checker is proved in Coq.\n\
+    \  --allow-empty   accept a motion whose elements never come near enough to need a proof\n\
+    Exit status: 0 every proof holds, 1 some proof does not, is about other files, or none was needed, 2 bad usage, a\n\
+    file that cannot be read, or nothing to check: no query, or a motion in which no two elements could meet." in
+  let (allow_empty, words) = match List.tl (Array.to_list Sys.argv) with
+    | "--allow-empty" :: rest -> (true, rest)
+    | words -> (false, words) in
   match words with
   | ("--help" | "-h") :: _ -> print_endline usage
   | proofs :: (_ :: _ as files) ->
-    (try run proofs files with
+    (try run allow_empty proofs files with
      | Rejected reason -> finish 1 ("rejected: " ^ printable reason)
      | Bad reason -> finish 2 ("touchstone-check-proved: " ^ printable reason)
      | Sys_error reason ->

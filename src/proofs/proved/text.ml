@@ -14,10 +14,11 @@ let printable text =
 let split n l = (List.filteri (fun i _ -> i < n) l, List.filteri (fun i _ -> i >= n) l)
 
 (* Lines of at most 2^20 bytes that are neither blank nor comments. *)
-type lines = { name : string; channel : in_channel; line : Buffer.t; mutable number : int; mutable has_end : bool }
+type lines = { name : string; channel : in_channel; line : Buffer.t; sha : Sha256.t; mutable number : int;
+               mutable has_end : bool }
 let opened name =
   let channel = try open_in_bin name with Sys_error reason -> raise (Bad (reason ^ ": it cannot be read")) in
-  { name; channel; line = Buffer.create 4096; number = 0; has_end = true }
+  { name; channel; line = Buffer.create 4096; sha = Sha256.start (); number = 0; has_end = true }
 let bad f reason = raise (Bad (Printf.sprintf "%s:%d: %s" f.name f.number reason))
 let reject f reason = raise (Rejected (Printf.sprintf "%s:%d: %s" f.name f.number reason))
 let longest = 1 lsl 20
@@ -34,6 +35,8 @@ let rec next_line f =  (* None at the end of the file *)
   f.number <- f.number + 1;
   if not (read_bytes f) then None else begin
     let s = Buffer.contents f.line in
+    Sha256.add f.sha s 0;
+    if f.has_end then Sha256.add f.sha "\n" 0;
     let n = String.length s in
     let n = if n > 0 && s.[n - 1] = '\r' then n - 1 else n in
     if n > longest then bad f "the line is too long: at most 2^20 bytes are read";
@@ -42,6 +45,8 @@ let rec next_line f =  (* None at the end of the file *)
     let i = start first in
     if i = n || s.[i] = '#' then next_line f else Some (String.sub s first (n - first))
   end
+let rec digest f =  (* of the whole file *)
+  if next_line f = None then Sha256.hexadecimal f.sha else digest f
 let words f = match next_line f with
   | None -> []
   | Some line -> List.filter (fun word -> word <> "") (String.split_on_char ' ' line)
@@ -63,6 +68,10 @@ let integer s =  (* of at most 4,096 decimal digits, after an optional minus *)
   if n = first || n > first + 4096 then None
   else if n - first <= 18 then Option.map (fun x -> Z.of_int (if first = 1 then - x else x)) (small first 0)
   else if String.for_all is_digit (String.sub s first (n - first)) then Some (Z.of_string s) else None
+let count f most word =  (* a decimal integer without a sign or leading zeros *)
+  match integer word with
+  | Some x when Z.sign x >= 0 && Z.leq x (Z.of_int most) && Z.to_string x = word -> Z.to_int x
+  | _ -> bad f (Printf.sprintf "here must be an integer from 0 to %d" most)
 (* Digits with at most one point, and a power behind one of the marks: "1.8p-3" is m = 0x18 and e = -3 - 4. *)
 let digits base marks most s =
   let earlier i c = min i (Option.value (String.index_opt s c) ~default:i) in
@@ -92,6 +101,7 @@ let number f word =  (* of a proof, as m 2^e *)
   match read with
   | Some x -> with_sign negative x
   | None -> bad f "here must be a number within the limits: an integer or a hexfloat such as 0x1.8p-3"
+let compared (m, e) (n, k) = Z.compare (Z.shift_left m (max (e - k) 0)) (Z.shift_left n (max (k - e) 0))
 let rational (m, e) =
   if e >= 0 then { qnum = Z.shift_left m e; qden = Z.one } else { qnum = m; qden = Z.shift_left Z.one (- e) }
 let time f word =

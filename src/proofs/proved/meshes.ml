@@ -1,0 +1,129 @@
+(* Motion files, and the steps of their motions. What is read here has to be right: see docs/proved.md.
+   SPDX-License-Identifier: MIT *)
+open Proved
+open Text
+
+(* The numbers of each body's pose, and of each vertex; a vertex on a body has none. *)
+type frame = { poses : (Z.t * int) array array; rows : (Z.t * int) array array }
+(* A motion in the step from one frame to the next one; `line` is the one after them. *)
+type motion = { f : lines; size : int; mesh : mesh; on_bodies : (int, int * rational_point) Hashtbl.t; bodies : int;
+                fixed_vertices : int; frames : int; before : frame; after : frame; line : string list }
+
+let most = 1 lsl 30 - 1
+(* The elements of each sort, the lines of single vertices, the points of bodies, and the line after them. *)
+let read_elements f size =
+  let lines = Hashtbl.create 64 and on_bodies = Hashtbl.create 64 in
+  let vertex word =
+    let v = count f most word in
+    if v < size then v else bad f (Printf.sprintf "here must be a vertex below %d" size) in
+  let once sort word =
+    let v = vertex word in
+    if Hashtbl.mem lines (sort, v) then bad f "the vertex has such a line already";
+    Hashtbl.add lines (sort, v) ();
+    v in
+  let added words all =
+    let vertices = List.map vertex words in
+    if List.length (List.sort_uniq compare vertices) < List.length words then bad f "an element has a vertex twice";
+    let index = match all with [] -> Z.zero | e :: _ -> Z.succ e.index in
+    { index; vertices = List.map Z.of_int vertices } :: all in
+  let rec read points edges faces fixed = match words f with
+    | ["point"; v] -> ignore (once "point" v); read (added [v] points) edges faces fixed
+    | ["edge"; v; w] -> read points (added [v; w] edges) faces fixed
+    | ["face"; v; w; x] -> read points edges (added [v; w; x] faces) fixed
+    | ["fixed"; v] -> read points edges faces (once "fixed" v :: fixed)
+    | ["body"; v; b; x; y; z] ->
+      let v = once "body" v and coordinate word = rational (number f word) in
+      Hashtbl.add on_bodies v (count f (most - 1) b, { qx = coordinate x; qy = coordinate y; qz = coordinate z });
+      read points edges faces fixed
+    | ["frame"] | [] as line -> (List.rev points, List.rev edges, List.rev faces, fixed, on_bodies, line)
+    | _ -> bad f "here must be a line of a point, an edge, a face, a fixed vertex or one on a body, or \"frame\"" in
+  read [] [] [] []
+
+(* The frame whose first line is `m.line` becomes the one after the step. What is fixed has the same numbers in it. *)
+let read_frame is_still m =
+  if m.line <> ["frame"] then bad m.f (Printf.sprintf "here must be \"frame\" alone, of frame %d" m.frames);
+  let rec read what size n has_row is_fixed old k line rows =
+    if k = n then (Array.of_list (List.rev rows), line)
+    else if not (has_row k) then read what size n has_row is_fixed old (k + 1) line ([||] :: rows)
+    else begin
+      if List.length line <> size then
+        bad m.f (Printf.sprintf "here must be the %d numbers of %s %d in frame %d" size what k m.frames);
+      let row = Array.of_list (List.map (number m.f) line) in
+      if m.frames > 0 && is_fixed k && not (Array.for_all2 (fun a b -> compared a b = 0) old.(k) row) then
+        bad m.f (Printf.sprintf "%s %d is fixed, but has moved in frame %d" what k m.frames);
+      read what size n has_row is_fixed old (k + 1) (words m.f) (row :: rows)
+    end in
+  let (poses, line) = read "body" 7 m.bodies (fun _ -> true) is_still m.after.poses 0 (words m.f) [] in
+  let is_free v = not (Hashtbl.mem m.on_bodies v) and is_fixed v = m.mesh.fixed (Z.of_int v) in
+  let (rows, line) = read "vertex" 3 m.size is_free is_fixed m.after.rows 0 line [] in
+  { m with before = m.after; after = { poses; rows }; frames = m.frames + 1; line }
+
+(* @returns the motion in its first step, and the function that leads to the next one: None after the last one *)
+let opened_motion name asked =
+  let f = opened name in
+  if words f <> ["touchstone-motion"; "1"] then bad f "the first line must be \"touchstone-motion 1\"";
+  let size = match words f with ["vertices"; n] -> count f most n | _ -> bad f "here must be \"vertices N\"" in
+  let (points, edges, faces, all_fixed, on_bodies, line) = read_elements f size in
+  let fixed = Hashtbl.create 64 and still = Hashtbl.create 64 in
+  let rest v =
+    Hashtbl.replace fixed v ();
+    Option.iter (fun (b, _) -> Hashtbl.replace still b ()) (Hashtbl.find_opt on_bodies v) in
+  List.iter rest all_fixed;
+  let bodies = Hashtbl.fold (fun _ (b, _) n -> max (b + 1) n) on_bodies 0 in
+  let mesh = { points; edges; faces; fixed = (fun v -> Hashtbl.mem fixed (Z.to_int v)); asked } in
+  let none = { poses = [||]; rows = [||] } in
+  let m = { f; size; mesh; on_bodies; bodies; fixed_vertices = List.length all_fixed; frames = 0; before = none;
+            after = none; line } in
+  let read = read_frame (Hashtbl.mem still) in
+  (read (read m), fun m -> if m.line = [] then None else Some (read m))
+
+(* The corners of all vertices during the step. *)
+let corners m =
+  let point row k = { qx = rational row.(k); qy = rational row.(k + 1); qz = rational row.(k + 2) } in
+  let motion b =
+    let q = m.before.poses.(b) and q' = m.after.poses.(b) in
+    { s_0 = rational q.(0); v_0 = point q 1; s_1 = rational q'.(0); v_1 = point q' 1;
+      p_0 = point q 4; p_1 = point q' 4 } in
+  let motions = Array.init m.bodies motion in
+  Array.init m.size (fun v -> match Hashtbl.find_opt m.on_bodies v with
+    | Some (b, y) -> On_body (Z.of_int (b + 1), motions.(b), y)
+    | None -> On_curve [point m.before.rows.(v) 0; point m.after.rows.(v) 0])
+
+(* Whether two elements could meet at all, however far apart they are. *)
+let has_pair m =
+  let { points; edges; faces; fixed; _ } = m.mesh and w = wiring_of m.mesh in
+  let body v = match Hashtbl.find_opt m.on_bodies (Z.to_int v) with Some (b, _) -> b | None -> -1 in
+  let is_still a = List.for_all fixed a.vertices in
+  let is_rigid l =
+    let bodies = List.sort_uniq compare (List.concat_map (fun a -> List.map body a.vertices) l) in
+    List.for_all is_still l || (List.length bodies = 1 && bodies <> [-1]) in
+  let meet may_meet (one, other) =
+    let moving = List.filter (fun b -> not (is_still b)) other in
+    let meets a b = separate (a, b) && not (is_rigid [a; b]) && may_meet a b in
+    not (is_rigid (List.rev_append one other))
+    && List.exists (fun a -> List.exists (meets a) (if is_still a then moving else other)) one in
+  List.exists (meet (fun _ _ -> true)) [(edges, edges); (points, faces); (w.alone, edges); (w.alone, w.alone)]
+  || meet (are_joined w) (w.ends, w.wires)
+
+let counted n one several = Printf.sprintf "%d %s" n (if n = 1 then one else several)
+(* What the proofs are about, with the corners and the sides that are no elements. *)
+let contents m =
+  let { points; edges; faces; _ } = m.mesh in
+  let corners = Hashtbl.create 64 and sides = Hashtbl.create 64 in
+  let side v w = if Z.lt v w then (v, w) else (w, v) in
+  let rec add_sides = function v :: (w :: _ as l) -> Hashtbl.replace sides (side v w) (); add_sides l | _ -> () in
+  let corners_of e = List.iter (fun v -> Hashtbl.replace corners v ()) e.vertices in
+  List.iter corners_of edges;
+  List.iter (fun e -> corners_of e; add_sides (e.vertices @ [List.hd e.vertices])) faces;
+  List.iter (fun e -> List.iter (Hashtbl.remove corners) e.vertices) points;
+  List.iter (fun e -> Hashtbl.remove sides (side (List.hd e.vertices) (List.nth e.vertices 1))) edges;
+  let some n text = if n = 0 then [] else [text] in
+  let on_bodies = Hashtbl.length m.on_bodies and corners = Hashtbl.length corners and sides = Hashtbl.length sides in
+  let elements l name = counted (List.length l) name (name ^ "s") in
+  String.concat ", "
+    ([counted m.frames "frame" "frames"; counted m.size "vertex" "vertices"; elements points "point";
+      elements edges "edge"; elements faces "face"]
+     @ some m.fixed_vertices (counted m.fixed_vertices "fixed vertex" "fixed vertices")
+     @ some m.bodies (counted on_bodies "vertex" "vertices" ^ " on " ^ counted m.bodies "body" "bodies")
+     @ some corners (counted corners "corner is no point" "corners are no points")
+     @ some sides (counted sides "side is no edge" "sides are no edges"))

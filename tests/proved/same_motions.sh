@@ -1,0 +1,132 @@
+#!/usr/bin/env bash
+# The checker that is proved in Coq accepts the proofs of motions of meshes, and prints what touchstone-check prints. It
+# says what touchstone-check says of changed motions and of changed proofs, refuses another file than the one that the
+# proofs name, and prints nothing then. With wrong boxes it accepts no proofs that leave out pairs.
+#
+#   same_motions.sh PROGRAM CHECKER PROVED THEORIES OCAMLFIND SORT     SORT: straight, bodies or boxes
+#
+# THEORIES is the folder of the checker's OCaml, compiled. All of them are absolute paths.
+# SPDX-License-Identifier: MIT
+set -euo pipefail
+program=$1 checker=$2 proved=$3 theories=$4 ocamlfind=$5 sort=$6
+command -v python3 >/dev/null || { echo "skipped: no python3"; exit 77; }
+here=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")" && pwd)
+folder=$(mktemp -d)
+trap 'rm -rf -- "$folder"' EXIT
+cd -- "$folder"
+
+both_accept() { # ARGUMENT...: both checkers print the same
+  "$checker" "$@" >checker.txt
+  "$proved" "$@" >proved.txt
+  diff checker.txt proved.txt
+  tail -n 2 proved.txt
+}
+joined() { # PROOFS...: their files' proofs as one
+  echo 'touchstone-proofs 1'
+  grep -hvE '^(touchstone-proofs|end) ' "$@"
+  awk '/^end / { n += $2; m += $3 } END { print "end", n, m }' "$@"
+}
+both_check() { # MUTANTS NAME...: the proofs of these motions, and changed ones
+  local names=("${@:2}")
+  joined "${names[@]/%//proofs.txt}" >joined.txt
+  both_accept joined.txt "${names[@]/%//motion.txt}"
+  python3 -B "$here/compare_checkers.py" --checker "$checker" --proved "$proved" --mutants "$1" joined.txt \
+    "${names[@]/%//motion.txt}"
+}
+prove_mesh() { # NAME ARGUMENT...: the exit status is 1 where the motion has contacts
+  "$program" mesh --prove "$1" "${@:2}" >/dev/null || [[ $? == 1 ]]
+}
+both_end_with() { # STATUS REASON ARGUMENT...: both say so, and print nothing on standard output
+  local one status
+  for one in "$checker" "$proved"; do
+    status=0
+    "$one" "${@:3}" >output.txt 2>reason.txt || status=$?
+    if [[ $status != "$1" || -s output.txt ]] || ! grep -q -- "$2" reason.txt; then
+      echo "$one ${*:3}: status $status in place of $1, or it prints what does not hold, or not \"$2\":"
+      cat output.txt reason.txt
+      exit 1
+    fi
+  done
+}
+
+case $sort in
+  straight)
+    "$program" generate --meshes --size 400 --steps 6 --crossing 3 --out meshes
+    "$program" generate --meshes --scene cables --scene sheets --size 150 --out meshes
+    prove_mesh cloth meshes/drape/*.obj
+    grep -q ' contact ' cloth/proofs.txt
+    prove_mesh cables meshes/cables/frame-000[0-4].obj
+    prove_mesh sheets --separation 0.02 meshes/sheets/frame-000[0-2].obj
+    prove_mesh max --separation 0.02 --metric max meshes/cables/frame-000[0-2].obj
+    "$program" simulate hoop --steps 5 --prove hoop >/dev/null
+    both_check 900 cloth cables sheets max hoop
+
+    # The digests, of a motion and of queries; and several files.
+    cloth=(cloth/proofs.txt cloth/motion.txt)
+    { cat "${cloth[1]}"; echo '# a comment'; } >other.txt
+    both_end_with 1 'the proofs are about another file' "${cloth[0]}" other.txt
+    "$program" generate --count 50 --scene cloth --out queries >/dev/null
+    queries=(queries/cloth/*/*.csv)
+    "$program" prove --out queries.txt "${queries[@]}" >/dev/null
+    both_accept queries.txt "${queries[@]}"
+    { cat "${queries[-1]}"; echo '# a comment'; } >other.csv
+    both_end_with 1 'the proofs are about another file' queries.txt "${queries[@]:0:${#queries[@]}-1}" \
+      other.csv
+    joined "${cloth[0]}" queries.txt >all.txt
+    sed 's/^end .*/end 0 0/' all.txt >another_end.txt
+    both_end_with 1 'here must be "end' another_end.txt "${cloth[1]}" "${queries[@]}"
+    both_accept all.txt "${cloth[1]}" "${queries[@]}"
+
+    # Nothing to check, and nothing near.
+    printf 'touchstone-motion 1\nvertices 2\npoint 0\npoint 1\nframe\n0 0 0\n5 0 0\nframe\n0 0 0\n4 0 0\n' >far.txt
+    printf 'touchstone-proofs 1\nfile mesh - far.txt\nstep 0\nend 0 0\n' >nothing.txt
+    both_end_with 1 'no query was checked' nothing.txt far.txt
+    both_accept --allow-empty nothing.txt far.txt
+    grep -v point far.txt >bare.txt
+    both_end_with 2 'there is nothing to check' --allow-empty nothing.txt bare.txt
+    ;;
+  bodies)
+    "$program" simulate link-chain --size 3 --steps 152 --checkpoint chain.json >/dev/null
+    "$program" simulate --resume chain.json --steps 4 --prove chain >/dev/null
+    "$program" simulate nut-and-bolt --size 24 --steps 1 --prove nut >/dev/null
+    "$program" simulate hoop-rim --steps 2 --prove rim >/dev/null
+    for name in chain nut rim; do grep -q '^body ' "$name/motion.txt"; done
+    both_check 150 chain nut rim
+    ;;
+  boxes)
+    "$program" generate --meshes --scene sheets --size 150 --out meshes >/dev/null
+    prove_mesh sheets --separation 0.02 meshes/sheets/frame-000[0-2].obj
+    honest=(sheets/proofs.txt sheets/motion.txt)
+    # The same motion, as if no pair needed a proof.
+    { grep -E '^(touchstone|separation|file|step)' "${honest[0]}"; echo 'end 0 0'; } >none.txt
+    both_end_with 1 rejected --allow-empty none.txt "${honest[1]}"
+    cp "$theories"/*.{ml,cm*,o} .
+    rebuilt() { # SED: the checker with another boxes.ml
+      sed "$1" "$theories/boxes.ml" >boxes.ml
+      [[ -z $1 ]] || ! cmp -s "$theories/boxes.ml" boxes.ml || { echo "no effect: $1"; exit 1; }
+      "$ocamlfind" ocamlopt -package zarith -linkpkg {proved,sha256,text,hints,meshes}.cmx boxes.ml reader.ml -o rebuilt
+    }
+    rebuilt ''
+    ./rebuilt "${honest[@]}" >/dev/null
+    while IFS= read -r fault; do
+      rebuilt "$fault"
+      status=0
+      ./rebuilt --allow-empty none.txt "${honest[1]}" >/dev/null 2>reason.txt || status=$?
+      [[ $status == 1 ]] || { echo "status $status with $fault"; cat reason.txt; exit 1; }
+      echo "$fault: $(tail -c 60 reason.txt)"
+    done <<'END'
+s/and until k = Z.add margin (\(.*\)) in/and until k = \1 in/
+s/let from k = scaled (fst/let from k = scaled (snd/
+s/still = fixed (Z.of_int v)/still = true/
+s/| On_curve _ -> None in/| On_curve _ -> Some Z.one in/
+s/box_unit = Z.shift_left Z.one (- low)/box_unit = Z.minus_one/
+s/box_unit = Z.shift_left Z.one (- low)/box_unit = Z.one/
+s/Entry (Z.of_int v, u, h/Entry (Z.of_int (v + 1), u, h/
+s/balanced 0 (Array.length corners)/Nothing/
+END
+    ;;
+  *)
+    echo "same_motions.sh: '$sort' is none of straight, bodies and boxes" >&2
+    exit 2
+    ;;
+esac
