@@ -27,7 +27,7 @@ const LayerTable& layer_table() {
       {"dropin", {"solver"}},
       {"c_api", {"solver", "mesh"}},
       {"python",
-       {"solver", "exact", "certify", "fuzz", "mesh", "proofs", "view", "io", "frames", "sequence", "threads",
+       {"solver", "exact", "certify", "fuzz", "mesh", "rigid", "proofs", "view", "io", "frames", "sequence", "threads",
         "geometry"}},
       {"proofs", {"solver", "broad_phase", "exact", "filters", "geometry", "io", "numbers"}},
       {"checker", {}},
@@ -63,7 +63,8 @@ const LayerTable& layer_table() {
 const std::map<std::string, Wing>& wing_table() {
   static const std::map<std::string, Wing> table = {
       {"core",
-       {{"geometry", "numbers", "threads", "filters", "exact", "oracle", "solver", "certify", "broad_phase", "mesh", "rigid"},
+       {{"geometry", "numbers", "threads", "filters", "exact", "oracle", "solver", "certify", "broad_phase", "mesh",
+         "rigid"},
         {}}},
       {"files", {{"io", "json", "frames", "pipes", "sequence"}, {"core"}}},
       {"cases", {{"seeded", "families", "generators", "baselines"}, {"core"}}},

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include <touchstone/answer.hpp>
+#include <touchstone/bodies.hpp>
 #include <touchstone/closest_approach.hpp>
 #include <touchstone/contact_times.hpp>
 #include <touchstone/fuzz.hpp>
@@ -25,8 +26,8 @@ concept one_of = (std::same_as<T, Others> || ...);
 
 /// A class that Python has. Those of this folder name it by `using BoundToPython = void`.
 template <class T>
-concept Bound =
-    one_of<T, Answer, ClosestApproach, Distance, ExactTime, FirstContact, FuzzFinding, FuzzReport, Mesh> || requires {
+concept Bound = one_of<T, Answer, Bodies, Body, ClosestApproach, Distance, ExactTime, FirstContact, FuzzFinding,
+                       FuzzReport, Mesh> || requires {
   typename T::BoundToPython;
 };
 

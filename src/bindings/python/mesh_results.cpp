@@ -171,13 +171,6 @@ void define_closest_approach(py::module_& module) {
       });
 }
 
-/// The outcome's name, in which '_' stands for '-' as in Python's own names.
-std::string outcome_text(StepOutcome outcome) {
-  std::string name(name_of(outcome));
-  std::replace(name.begin(), name.end(), '-', '_');
-  return name;
-}
-
 void define_free_step(py::module_& module) {
   py::class_<Step> bound = define_class<Step>(module, "FreeStep", "A step that is proved free of contact.");
   define_pickle(bound);
@@ -211,6 +204,12 @@ void define_free_step(py::module_& module) {
 }
 
 }  // namespace
+
+std::string outcome_text(StepOutcome outcome) {
+  std::string name(name_of(outcome));
+  std::replace(name.begin(), name.end(), '-', '_');
+  return name;
+}
 
 Pairs pairs_of(const std::vector<MeshContact>& contacts) {
   Pairs all;

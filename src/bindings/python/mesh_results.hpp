@@ -6,6 +6,7 @@
 #include <touchstone/closest_approach.hpp>
 #include <touchstone/mesh.hpp>
 
+#include <string>
 #include <vector>
 
 #include "python/define.hpp"
@@ -20,6 +21,9 @@ struct Pairs {
   std::vector<double> separations;
   std::vector<Answer> answers;
 };
+
+/// The outcome's name, in which '_' stands for '-' as in Python's own names.
+std::string outcome_text(StepOutcome outcome);
 
 Pairs pairs_of(const std::vector<MeshContact>& contacts);
 

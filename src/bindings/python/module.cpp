@@ -10,6 +10,7 @@
 #include "python/answers.hpp"
 #include "python/arguments.hpp"
 #include "python/define.hpp"
+#include "python/rigid/define_bodies.hpp"
 
 PYBIND11_MODULE(_core, module) {
   namespace python = touchstone::python;
@@ -28,6 +29,7 @@ PYBIND11_MODULE(_core, module) {
   python::define_queries(module);
   python::define_mesh(module);
   python::define_meshes(module);
+  python::define_bodies(module);
   python::define_mesh_files(module);
   python::define_curved(module);
   python::define_proofs(module);

@@ -1,7 +1,8 @@
 """Exact continuous collision detection: do two moving elements ever touch, and when first?
 
 An element is a point, an edge or a triangle whose corners move on straight lines for t in [0, 1]. `solve` answers
-queries about two elements, one or millions at a time. `Mesh` and `first_contact` answer questions about whole meshes.
+queries about two elements, one or millions at a time. `Mesh` and `first_contact` answer questions about whole meshes,
+and `Bodies` about rigid bodies that turn.
 Answers have no tolerance: `toi` and `toi_upper` are the two neighbouring doubles that enclose the exact first time.
 
 The kinds of query, and the order of their corners:
@@ -29,8 +30,9 @@ a shape or name that does not fit. The message names the argument, and the row w
 Calls run without Python's global lock, and Ctrl-C ends them with KeyboardInterrupt. Do not write to an array while a
 call reads it.
 """
-from ._core import (Answer, Answers, ClosestApproach, Distance, Distances, ExactTime, Finding, FirstContact, FreeStep,
-                    FuzzReport, Intersections, Mesh, MeshSteps, Pairs, __version__)
+from ._core import (Answer, Answers, Bodies, Body, BodyIntersections, BodyPairs, ClosestApproach, Distance, Distances,
+                    ExactTime, Finding, FirstBodyContact, FirstContact, FreeBodyStep, FreeStep, FuzzReport,
+                    Intersections, Mesh, MeshSteps, Pairs, __version__)
 from ._names import Feature, Level, Nature, Trend
 from ._queries import contact_normal, contact_times, distance, solve, toi_gradient
 from ._curved import CurvedQueries, OnBody, OnCurves
@@ -45,10 +47,11 @@ from ._display import Shown, ShownMesh, show, show_mesh
 from ._pages import save_page
 
 __all__ = [
-    "Answer", "Answers", "Certificate", "Checked", "ClosestApproach", "CurvedQueries", "Distance", "Distances",
-    "ExactTime", "Feature", "Finding", "FirstContact", "Frames", "FreeStep", "FuzzReport", "Intersections", "Level",
-    "Mesh", "MeshFile", "MeshSteps", "Nature", "OnBody", "OnCurves", "Pairs", "Proofs", "Shown", "ShownMesh", "Trend",
-    "Verdict", "all_contacts", "as_mesh", "candidates", "certify", "check", "closest_approach", "contact_normal",
+    "Answer", "Answers", "Bodies", "Body", "BodyIntersections", "BodyPairs", "Certificate", "Checked",
+    "ClosestApproach", "CurvedQueries", "Distance", "Distances", "ExactTime", "Feature", "Finding", "FirstBodyContact",
+    "FirstContact", "Frames", "FreeBodyStep", "FreeStep", "FuzzReport", "Intersections", "Level", "Mesh",
+    "MeshFile", "MeshSteps", "Nature", "OnBody", "OnCurves", "Pairs", "Proofs", "Shown", "ShownMesh", "Trend", "Verdict",
+    "all_contacts", "as_mesh", "candidates", "certify", "check", "closest_approach", "contact_normal",
     "contact_times", "distance", "first_contact", "free_step", "fuzz", "intersections", "intersects", "prove",
     "read_frames", "read_mesh", "save_page", "show", "show_mesh", "solve", "toi_gradient"
 ]

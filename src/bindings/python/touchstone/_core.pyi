@@ -1,5 +1,5 @@
 # The types of the compiled half. The documented functions are in _queries.py and its neighbours.
-from typing import Any, Dict, Iterable, Iterator, List, Mapping, Optional, Tuple, Union, overload
+from typing import Any, Dict, Iterable, Iterator, List, Literal, Mapping, Optional, Tuple, Union, overload
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -17,6 +17,11 @@ _Weights = Tuple[float, float, float]
 _Pair = Tuple[str, int, int]
 _Intersection = Tuple[str, int, str, int, str]
 _Several = Union[slice, NDArray[Any], List[int], List[bool]]
+_Number = Tuple[int, int]
+_BodyPair = Tuple[str, _Number, _Number]
+_BodyIntersection = Tuple[str, _Number, str, _Number, str]
+_Order = Literal["wxyz", "xyzw"]
+_Turn = Literal["shorter", "as-given"]
 
 class Answer:
     contact: bool
@@ -168,6 +173,86 @@ class Intersections:
     def __getitem__(self, i: _Several) -> Intersections: ...
     def __iter__(self) -> Iterator[_Intersection]: ...
     def to_pandas(self) -> Any: ...
+
+class Body:
+    points: _Doubles
+    mesh: Mesh
+    def __init__(self, points: Any, faces: Optional[ArrayLike] = None, edges: Optional[ArrayLike] = None,
+                 loose_points: Optional[ArrayLike] = None, radii: Optional[ArrayLike] = None, *,
+                 mesh: Optional[Mesh] = None) -> None: ...
+
+class BodyPairs:
+    kind: List[str]
+    first_body: _Indices
+    first: _Indices
+    second_body: _Indices
+    second: _Indices
+    separation: _Doubles
+    answers: Answers
+    def __len__(self) -> int: ...
+    @overload
+    def __getitem__(self, i: int) -> _BodyPair: ...
+    @overload
+    def __getitem__(self, i: slice) -> BodyPairs: ...
+    def __iter__(self) -> Iterator[_BodyPair]: ...
+
+class BodyIntersections:
+    first_element: List[str]
+    first_body: _Indices
+    first: _Indices
+    second_element: List[str]
+    second_body: _Indices
+    second: _Indices
+    sort: List[str]
+    def __len__(self) -> int: ...
+    @overload
+    def __getitem__(self, i: int) -> _BodyIntersection: ...
+    @overload
+    def __getitem__(self, i: slice) -> BodyIntersections: ...
+    def __iter__(self) -> Iterator[_BodyIntersection]: ...
+
+class FirstBodyContact:
+    contact: bool
+    toi: float
+    toi_upper: float
+    free: bool
+    earliest: BodyPairs
+    at_start: BodyPairs
+    start_checked: bool
+    start_intersections: BodyIntersections
+    excluded: int
+    turned: _Indices
+    t_max: float
+
+class FreeBodyStep:
+    outcome: str
+    length: float
+    poses: _Doubles
+    first_contact: FirstBodyContact
+    proofs: int
+
+# Any: one motion has a result, and n motions have a list of n.
+class Bodies:
+    bodies: List[Body]
+    separation: float
+    metric: str
+    def __init__(self, bodies: Iterable[Body], *, separation: float = 0.0, metric: str = "euclidean",
+                 ignore: ArrayLike = (), groups: Optional[ArrayLike] = None, group_pairs: Optional[ArrayLike] = None,
+                 only_listed_groups: bool = False) -> None: ...
+    def __len__(self) -> int: ...
+    def first_contact(self, start: ArrayLike, end: ArrayLike, *, quaternion: _Order, turn: _Turn = "shorter",
+                      t_max: float = 1.0, threads: int = 1, check_start: bool = True) -> Any: ...
+    def all_contacts(self, start: ArrayLike, end: ArrayLike, *, quaternion: _Order, turn: _Turn = "shorter",
+                     t_max: float = 1.0, threads: int = 1) -> Any: ...
+    def candidates(self, start: ArrayLike, end: ArrayLike, *, quaternion: _Order, turn: _Turn = "shorter",
+                   threads: int = 1) -> Any: ...
+    def free_step(self, start: ArrayLike, end: ArrayLike, *, quaternion: _Order, turn: _Turn = "shorter",
+                  threads: int = 1, check_start: bool = True) -> Any: ...
+    def contact_normal(self, contacts: BodyPairs, start: ArrayLike, end: ArrayLike, *, quaternion: _Order,
+                       turn: _Turn = "shorter", t_max: float = 1.0, threads: int = 1) -> _Doubles: ...
+    def intersections(self, poses: ArrayLike, *, quaternion: _Order, threads: int = 1) -> Any: ...
+    def separation_of(self, pair: _BodyPair) -> float: ...
+    def describe(self, pair: _BodyPair) -> str: ...
 
 class CurvedArrays:
     kind: str

@@ -1,0 +1,228 @@
+// SPDX-License-Identifier: MIT
+#include "python/rigid/rigid_results.hpp"
+
+#include <string>
+
+#include "python/answers.hpp"
+#include "python/arguments.hpp"
+#include "python/mesh_results.hpp"
+#include "python/rigid/rigid_members.hpp"
+
+namespace touchstone::python {
+namespace {
+
+py::tuple tuple_of(const BodyElement& one) { return py::make_tuple(one.body, one.element); }
+
+/// Attributes of a list of Items, which is a member of Results: words as lists, and whole numbers as arrays.
+template <class Results, class Item>
+class ResultColumns {
+ public:
+  ResultColumns(py::class_<Results>& bound, std::vector<Item> Results::*all) : bound_(bound), all_(all) {}
+
+  template <class Member>
+  void words(const char* name, Member Item::*member, const char* help) {
+    const auto get = [all = all_, member](const Results& self) {
+      py::list list;
+      for (const Item& item : self.*all) list.append(py::str(std::string(name_of(item.*member))));
+      return list;
+    };
+    bound_.def_property_readonly(name, get, help);
+  }
+
+  /// The body and the number of an element.
+  void elements(const char* body, const char* number, BodyElement Item::*element, const char* which) {
+    const auto add = [&](const char* name, MeshIndex BodyElement::*field, const std::string& help) {
+      const auto get = [all = all_, element, field](const py::object& self) {
+        const std::vector<Item>& items = self.cast<const Results&>().*all;
+        return column_of<MeshIndex>(items, items.empty() ? nullptr : &(items[0].*element.*field), self);
+      };
+      bound_.def_property_readonly(name, get, help.c_str());
+    };
+    add(body, &BodyElement::body, std::string("(n,) uint32: the bodies of the ") + which + " elements");
+    add(number, &BodyElement::element,
+        std::string("(n,) uint32: the numbers of the ") + which + " elements in their bodies' meshes");
+  }
+
+ private:
+  py::class_<Results>& bound_;
+  std::vector<Item> Results::*all_;
+};
+
+void define_body_pairs(py::module_& module) {
+  py::class_<BodyPairs> bound = define_class<BodyPairs>(
+      module, "BodyPairs",
+      "Pairs of elements of two bodies: arrays that cannot be written to. pairs[i] is (kind, (body, first), (body,\n"
+      "second)).");
+  define_pickle(bound);
+  bound.def("__len__", [](const BodyPairs& self) { return self.pairs.size(); })
+      .def("__getitem__",
+           [](const BodyPairs& self, py::ssize_t i) {
+             const BodyPair& pair = item_of(self.pairs, i, "pair");
+             return py::make_tuple(std::string(name_of(pair.kind)), tuple_of(pair.first), tuple_of(pair.second));
+           })
+      .def("__getitem__",
+           [](const BodyPairs& self, const py::slice& slice) {
+             return BodyPairs{items_of(self.pairs, slice), items_of(self.separations, slice),
+                              items_of(self.answers, slice)};
+           })
+      .def("__repr__", [](const BodyPairs& self) { return "<BodyPairs: " + std::to_string(self.pairs.size()) + ">"; })
+      .def_property_readonly(
+          "separation",
+          [](const py::object& self) {
+            const auto& all = self.cast<const BodyPairs&>().separations;
+            return column_of<double>(all, all.data(), self);
+          },
+          "of contacts: (n,) float64, the separations that they are about, with the radii")
+      .def_property_readonly(
+          "answers", [](const BodyPairs& self) { return Answers(self.answers); },
+          "of contacts: the Answers to the pairs' queries: times, natures, features and weights");
+  ResultColumns<BodyPairs, BodyPair> columns(bound, &BodyPairs::pairs);
+  columns.words("kind", &BodyPair::kind,
+                "a list of the kinds: 'edge-edge', 'vertex-face', 'point-edge' or 'point-point'");
+  columns.elements("first_body", "first", &BodyPair::first, "first");
+  columns.elements("second_body", "second", &BodyPair::second, "second");
+}
+
+void define_body_intersections(py::module_& module) {
+  py::class_<BodyIntersections> bound = define_class<BodyIntersections>(
+      module, "BodyIntersections",
+      "Where bodies intersect at rest: arrays that cannot be written to. found[i] is (first_element, (body, first),\n"
+      "second_element, (body, second), sort).");
+  define_pickle(bound);
+  bound.def("__len__", [](const BodyIntersections& self) { return self.all.size(); })
+      .def("__getitem__",
+           [](const BodyIntersections& self, py::ssize_t i) {
+             const BodyIntersection& one = item_of(self.all, i, "intersection");
+             return py::make_tuple(std::string(name_of(one.first_element)), tuple_of(one.first),
+                                   std::string(name_of(one.second_element)), tuple_of(one.second),
+                                   std::string(name_of(one.sort)));
+           })
+      .def("__getitem__", [](const BodyIntersections& self,
+                             const py::slice& slice) { return BodyIntersections{items_of(self.all, slice)}; })
+      .def("__repr__", [](const BodyIntersections& self) {
+        return "<BodyIntersections: " + std::to_string(self.all.size()) + ">";
+      });
+  ResultColumns<BodyIntersections, BodyIntersection> columns(bound, &BodyIntersections::all);
+  columns.words("first_element", &BodyIntersection::first_element, "a list of 'edge' or 'vertex'");
+  columns.elements("first_body", "first", &BodyIntersection::first, "first");
+  columns.words("second_element", &BodyIntersection::second_element, "a list of 'face', 'edge' or 'vertex'");
+  columns.elements("second_body", "second", &BodyIntersection::second, "second");
+  columns.words("sort", &BodyIntersection::sort, "a list of 'touches', 'pierces' or 'inside'");
+}
+
+std::string double_text(double number) { return std::string(py::repr(py::float_(number))); }
+
+/// What a verdict is not about, and what was changed before it: "; start not checked; 1 pair of bodies left out".
+std::string left_out_text(const FoundBodyContact& self) {
+  const auto counted = [](std::size_t count, const char* one, const char* many) {
+    return "; " + std::to_string(count) + " " + (count == 1 ? one : many);
+  };
+  std::string text;
+  if (self.t_max < 1) text += "; only up to " + double_text(self.t_max);
+  if (!self.found.start_checked) text += "; start not checked";
+  if (self.found.excluded > 0) text += counted(self.found.excluded, "pair", "pairs") + " of bodies left out";
+  if (!self.turned.empty()) text += counted(self.turned.size(), "body takes", "bodies take") + " the shorter turn";
+  return text;
+}
+
+std::string verdict_of(const FoundBodyContact& self) {
+  const FirstBodyContact& found = self.found;
+  if (found.free()) return "free";
+  if (!found.start_intersections.empty()) {
+    return std::to_string(found.start_intersections.size()) + " intersections at the start";
+  }
+  return "toi " + double_text(found.toi) + ", " + std::to_string(found.earliest.size()) + " earliest, " +
+         std::to_string(found.at_start.size()) + " at the start";
+}
+
+template <class Member>
+auto of_found(Member FirstBodyContact::*member) {
+  return [member](const FoundBodyContact& self) { return self.found.*member; };
+}
+auto contacts_of(std::vector<BodyContact> FirstBodyContact::*member) {
+  return [member](const FoundBodyContact& self) { return pairs_of(self.found.*member); };
+}
+
+void define_first_body_contact(py::module_& module) {
+  py::class_<FoundBodyContact> bound =
+      define_class<FoundBodyContact>(module, "FirstBodyContact", "The first contact of bodies in a step.");
+  define_pickle(bound);
+  bound
+      .def_property_readonly("contact", of_found(&FirstBodyContact::contact),
+                             "whether elements of two bodies that are not in contact at the start come into contact")
+      .def_property_readonly("toi", of_found(&FirstBodyContact::toi),
+                             "the largest double <= the exact first time of it; inf without one")
+      .def_property_readonly("toi_upper", of_found(&FirstBodyContact::toi_upper), "the smallest double >= it")
+      .def_property_readonly(
+          "free", [](const FoundBodyContact& self) { return self.found.free(); },
+          "whether there is no contact at all in the step, and no intersection at the start, if start_checked")
+      .def_property_readonly("start_checked", of_found(&FirstBodyContact::start_checked),
+                             "whether the start was asked about, by check_start=True")
+      .def_property_readonly(
+          "start_intersections",
+          [](const FoundBodyContact& self) { return BodyIntersections{self.found.start_intersections}; },
+          "BodyIntersections: where bodies intersect at the start; empty when that was not asked")
+      .def_property_readonly("earliest", contacts_of(&FirstBodyContact::earliest),
+                             "BodyPairs: every pair whose contact begins at exactly that time")
+      .def_property_readonly("at_start", contacts_of(&FirstBodyContact::at_start),
+                             "BodyPairs: every pair in contact at t = 0")
+      .def_property_readonly("excluded", of_found(&FirstBodyContact::excluded),
+                             "how many pairs of bodies the rules left out")
+      .def_property_readonly(
+          "turned",
+          [](const py::object& self) {
+            const auto& turned = self.cast<const FoundBodyContact&>().turned;
+            return column_of<BodyIndex>(turned, turned.data(), self);
+          },
+          "(m,) uint32: the bodies that took the shorter turn in place of the longer one that their quaternions say")
+      .def_readonly("t_max", &FoundBodyContact::t_max, "the end of the time that was asked about")
+      .def("__repr__", [](const FoundBodyContact& self) {
+        return "<FirstBodyContact: " + verdict_of(self) + left_out_text(self) + ">";
+      });
+}
+
+void define_free_body_step(py::module_& module) {
+  py::class_<FoundBodyStep> bound =
+      define_class<FoundBodyStep>(module, "FreeBodyStep", "A step of bodies that is proved free of contact.");
+  define_pickle(bound);
+  bound
+      .def_property_readonly(
+          "outcome", [](const FoundBodyStep& self) { return outcome_text(self.outcome); },
+          "'whole', 'shortened', 'no_room', 'contact_at_start' or 'intersects_at_start'")
+      .def_readonly("length", &FoundBodyStep::length, "the fraction of the step, in [0, 1]")
+      .def_property_readonly(
+          "poses",
+          [](const py::object& self) {
+            const auto& poses = self.cast<const FoundBodyStep&>().poses;
+            return column_of<double>(poses, poses.data(), self, 7);
+          },
+          "(k, 7) float64: the poses at the end, as start and end have them; the motion to them, rounded as they are, "
+          "is free")
+      .def_readonly("first_contact", &FoundBodyStep::first_contact, "FirstBodyContact: that of the whole step")
+      .def_readonly("proofs", &FoundBodyStep::proofs, "the number of times that all pairs were asked about")
+      .def("__repr__", [](const FoundBodyStep& self) {
+        return "<FreeBodyStep: " + outcome_text(self.outcome) + ", length " + double_text(self.length) +
+               left_out_text(self.first_contact) + ">";
+      });
+}
+
+}  // namespace
+
+BodyPairs pairs_of(const std::vector<BodyContact>& contacts) {
+  BodyPairs all;
+  for (const BodyContact& contact : contacts) {
+    all.pairs.push_back(contact.pair);
+    all.separations.push_back(contact.separation.distance);
+    all.answers.push_back(contact.answer);
+  }
+  return all;
+}
+
+void define_rigid_results(py::module_& module) {
+  define_body_pairs(module);
+  define_body_intersections(module);
+  define_first_body_contact(module);
+  define_free_body_step(module);
+}
+
+}  // namespace touchstone::python

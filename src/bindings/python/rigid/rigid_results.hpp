@@ -1,0 +1,57 @@
+// What questions about whole bodies return to Python: BodyPairs, BodyIntersections, FirstBodyContact, FreeBodyStep.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <touchstone/bodies.hpp>
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "python/define.hpp"
+
+namespace touchstone::python {
+
+/// The order of a quaternion's components in arrays of poses.
+enum class QuaternionOrder : std::uint8_t { wxyz, xyzw };
+
+/// Pairs of elements of bodies and, of contacts, the answers to their queries.
+struct BodyPairs {
+  using BoundToPython = void;
+
+  std::vector<BodyPair> pairs;
+  std::vector<double> separations;
+  std::vector<Answer> answers;
+};
+
+BodyPairs pairs_of(const std::vector<BodyContact>& contacts);
+
+struct BodyIntersections {
+  using BoundToPython = void;
+
+  std::vector<BodyIntersection> all;
+};
+
+/// A first contact, and what was asked.
+struct FoundBodyContact {
+  using BoundToPython = void;
+
+  FirstBodyContact found;
+  std::vector<BodyIndex> turned;  ///< the bodies that took the shorter turn in place of the one that was given
+  double t_max = 1;
+};
+
+struct FoundBodyStep {
+  using BoundToPython = void;
+
+  StepOutcome outcome = StepOutcome::whole;
+  double length = 1;
+  std::vector<std::array<double, 7>> poses;  ///< position and quaternion, in the order of the question
+  FoundBodyContact first_contact;
+  int proofs = 0;
+};
+
+/// Of them all.
+void define_rigid_results(py::module_& module);
+
+}  // namespace touchstone::python
