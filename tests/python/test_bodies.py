@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 import touchstone as ts
 from test_copies import same
+from test_module import interrupted
 
 AT_REST = [0, 0, 0, 1, 0, 0, 0]
 FACES = [t for a, b, c, d in [(0, 1, 3, 2), (4, 6, 7, 5), (0, 4, 5, 1), (2, 3, 7, 6), (0, 2, 6, 4), (1, 5, 7, 3)]
@@ -288,6 +289,13 @@ def test_bodies_are_made_of_meshes_and_files():
             ("radi", ValueError, (x, faces), dict(radii=[1, 2]))]:
         with pytest.raises(kind, match=words):
             ts.Body(*given, **named)
+
+
+@pytest.mark.parametrize("bodies, motions", [("[ts.Body(x0, faces), ts.Body(x0 + 0.1, faces)]", 1),
+                                             ("[ts.Body([[0, 0, 0]]), ts.Body([[1, 0, 0]])]", 300_000)])
+def test_ctrl_c_is_heard(bodies, motions):
+    pose = f"np.tile([0, 0, 0, 1, 0, 0, 0], ({motions}, 2, 1))"
+    interrupted(f"ts.Bodies({bodies}).all_contacts({pose}, {pose}, quaternion='wxyz', threads=2)")
 
 
 def test_pickles_and_copies():
