@@ -5,6 +5,7 @@
 
 #include "python/answers.hpp"
 #include "python/arguments.hpp"
+#include "python/items.hpp"
 #include "python/mesh_results.hpp"
 #include "python/rigid/rigid_members.hpp"
 
@@ -54,18 +55,16 @@ void define_body_pairs(py::module_& module) {
       "Pairs of elements of two bodies: arrays that cannot be written to. pairs[i] is (kind, (body, first), (body,\n"
       "second)).");
   define_pickle(bound);
-  bound.def("__len__", [](const BodyPairs& self) { return self.pairs.size(); })
-      .def("__getitem__",
-           [](const BodyPairs& self, py::ssize_t i) {
-             const BodyPair& pair = item_of(self.pairs, i, "pair");
-             return py::make_tuple(std::string(name_of(pair.kind)), tuple_of(pair.first), tuple_of(pair.second));
-           })
-      .def("__getitem__",
-           [](const BodyPairs& self, const py::slice& slice) {
-             return BodyPairs{items_of(self.pairs, slice), items_of(self.separations, slice),
-                              items_of(self.answers, slice)};
-           })
-      .def("__repr__", [](const BodyPairs& self) { return "<BodyPairs: " + std::to_string(self.pairs.size()) + ">"; })
+  define_items(
+      bound, "pair", [](const BodyPairs& self) -> const std::vector<BodyPair>& { return self.pairs; },
+      [](const BodyPair& pair) {
+        return py::make_tuple(std::string(name_of(pair.kind)), tuple_of(pair.first), tuple_of(pair.second));
+      },
+      [](const BodyPairs& self, const std::vector<std::size_t>& chosen) {
+        return BodyPairs{items_at(self.pairs, chosen), items_at(self.separations, chosen),
+                         items_at(self.answers, chosen)};
+      });
+  bound.def("__repr__", [](const BodyPairs& self) { return "<BodyPairs: " + std::to_string(self.pairs.size()) + ">"; })
       .def_property_readonly(
           "separation",
           [](const py::object& self) {
@@ -89,19 +88,20 @@ void define_body_intersections(py::module_& module) {
       "Where bodies intersect at rest: arrays that cannot be written to. found[i] is (first_element, (body, first),\n"
       "second_element, (body, second), sort).");
   define_pickle(bound);
-  bound.def("__len__", [](const BodyIntersections& self) { return self.all.size(); })
-      .def("__getitem__",
-           [](const BodyIntersections& self, py::ssize_t i) {
-             const BodyIntersection& one = item_of(self.all, i, "intersection");
-             return py::make_tuple(std::string(name_of(one.first_element)), tuple_of(one.first),
-                                   std::string(name_of(one.second_element)), tuple_of(one.second),
-                                   std::string(name_of(one.sort)));
-           })
-      .def("__getitem__", [](const BodyIntersections& self,
-                             const py::slice& slice) { return BodyIntersections{items_of(self.all, slice)}; })
-      .def("__repr__", [](const BodyIntersections& self) {
-        return "<BodyIntersections: " + std::to_string(self.all.size()) + ">";
+  define_items(
+      bound, "intersection",
+      [](const BodyIntersections& self) -> const std::vector<BodyIntersection>& { return self.all; },
+      [](const BodyIntersection& one) {
+        return py::make_tuple(std::string(name_of(one.first_element)), tuple_of(one.first),
+                              std::string(name_of(one.second_element)), tuple_of(one.second),
+                              std::string(name_of(one.sort)));
+      },
+      [](const BodyIntersections& self, const std::vector<std::size_t>& chosen) {
+        return BodyIntersections{items_at(self.all, chosen)};
       });
+  bound.def("__repr__", [](const BodyIntersections& self) {
+    return "<BodyIntersections: " + std::to_string(self.all.size()) + ">";
+  });
   ResultColumns<BodyIntersections, BodyIntersection> columns(bound, &BodyIntersections::all);
   columns.words("first_element", &BodyIntersection::first_element, "a list of 'edge' or 'vertex'");
   columns.elements("first_body", "first", &BodyIntersection::first, "first");
