@@ -13,7 +13,7 @@
 #include "proofs/proof_text.hpp"
 #include "python/answers.hpp"
 #include "python/arguments.hpp"
-#include "python/curved_queries.hpp"
+#include "python/curved/curved_queries.hpp"
 #include "python/define.hpp"
 #include "python/query_arrays.hpp"
 #include "python/rows.hpp"

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "python/arguments.hpp"
-#include "python/curved_queries.hpp"
+#include "python/curved/curved_queries.hpp"
 #include "python/questions.hpp"
 #include "python/rigid/body_arguments.hpp"
 #include "python/rigid/define_bodies.hpp"

@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "python/background.hpp"
-#include "python/number_table.hpp"
+#include "python/curved/number_table.hpp"
 #include "python/rigid/rigid_results.hpp"
 #include "threads/for_each_range.hpp"
 

@@ -11,9 +11,9 @@
 #include "geometry/kind_traits.hpp"
 #include "python/answers.hpp"
 #include "python/arguments.hpp"
-#include "python/curved_queries.hpp"
+#include "python/curved/curved_queries.hpp"
 #include "python/define.hpp"
-#include "python/number_table.hpp"
+#include "python/curved/number_table.hpp"
 #include "python/questions.hpp"
 
 namespace touchstone::python {
