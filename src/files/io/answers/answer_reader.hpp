@@ -13,6 +13,7 @@
 #include <touchstone/separation.hpp>
 
 #include "io/answers/claim_columns.hpp"
+#include "io/csv_records.hpp"
 #include "io/input_file.hpp"
 #include "io/queries/query_chunks.hpp"
 
@@ -32,12 +33,10 @@ struct AnswerRow {
   std::uint64_t row = 0;                 ///< the line where it starts, counted from 1
 };
 
-/// Reads RFC 4180 CSV, with blanks around the fields, and the same with the other separators that separator_of() finds
-/// in the first line. That line names the columns, in any order, by the names that
+/// Reads CsvRecords. The first line names the columns, in any order, by the names that
 /// claim_columns.hpp lists. Only `contact` is needed. `separation` and `metric` say what a row is about; a separation
 /// without a metric is Euclidean. Other columns are not read. Without such a line, one column is `contact`, and three
-/// are `query`, `contact` and `toi`. The toi of a row without contact is not read. Rows are bounded by kLongestLine,
-/// lines may end in CRLF, and blank lines are skipped.
+/// are `query`, `contact` and `toi`. The toi of a row without contact is not read.
 class AnswerReader {
  public:
   /// Reads the header, if there is one.
@@ -48,7 +47,7 @@ class AnswerReader {
   /// The next row into `row`. @returns false at the end of the file. @throws FileError naming the row at fault
   bool next(AnswerRow& row);
 
-  const std::string& name() const noexcept { return file_.name(); }
+  const std::string& name() const noexcept { return records_.name(); }
 
   bool has_query_column() const noexcept { return has(ClaimColumn::query); }
 
@@ -66,29 +65,16 @@ class AnswerReader {
   bool is_beside_upper(double toi) const;
   void read_separation(AnswerRow& row) const;
   bool next_record();
-  bool find_record_end(std::size_t& end);
-  void split_record(std::string_view record);
-  void fill();
   void read_header(const ClaimColumns& columns);
   void take(const ClaimColumns& columns);
   bool is_row_of_values() const;
   bool has(ClaimColumn column) const noexcept { return index_[static_cast<std::size_t>(column)] != kAbsent; }
-  std::string_view field(ClaimColumn column) const { return fields_[index_[static_cast<std::size_t>(column)]]; }
-  [[noreturn]] void refuse(std::string_view reason) const;
+  std::string_view field(ClaimColumn column) const { return fields()[index_[static_cast<std::size_t>(column)]]; }
+  const std::vector<std::string_view>& fields() const noexcept { return records_.fields(); }
 
-  InputFile file_;
-  std::size_t chunk_bytes_;
-  bool at_end_ = false;
-  std::string buffer_;
-  std::size_t at_ = 0;            ///< where the next record starts in buffer_
-  std::uint64_t line_ = 1;        ///< the line number of at_
-  std::uint64_t record_row_ = 0;  ///< where the record that is being read starts
+  CsvRecords records_;
   std::uint64_t last_row_ = 0;
-  std::optional<char> separator_;  ///< of the first record
-
-  std::vector<std::string> unquoted_;     ///< what quoted fields of the current record stand for
-  std::vector<std::string_view> fields_;  ///< of the current record
-  bool has_row_ = false;                  ///< whether fields_ is a row that next() has not told yet
+  bool has_row_ = false;  ///< whether fields() are a row that next() has not told yet
   std::size_t column_count_ = 0;
   std::array<std::size_t, kClaimColumns> index_{};  ///< position of each column that is read; kAbsent: not there
   std::vector<std::string> unread_columns_;

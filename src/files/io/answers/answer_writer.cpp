@@ -15,6 +15,10 @@ bool begins_formula(std::string_view text) noexcept {
   return first != std::string_view::npos && kMarks.find(text[first]) != std::string_view::npos;
 }
 
+std::string_view text_of_field(std::string_view field) noexcept {
+  return field.starts_with('\'') && begins_formula(field) ? field.substr(1) : field;
+}
+
 std::string csv_field(std::string_view text) {
   const std::string start = begins_formula(text) ? "'" : "";
   const bool has_blanks = text != without_blanks(text);  // which readers may take away

@@ -28,6 +28,9 @@ bool begins_formula(std::string_view text) noexcept;
 /// them, also in quotes.
 std::string csv_field(std::string_view text);
 
+/// The text of such a field without its quotes: without the apostrophe of csv_field.
+std::string_view text_of_field(std::string_view field) noexcept;
+
 /// How doubles are written. Each reads back as the same double; a decimal is the shortest one that does.
 enum class Numbers : std::uint8_t { hexfloats, decimals };
 
