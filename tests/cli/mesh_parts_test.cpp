@@ -188,7 +188,7 @@ TEST_CASE("files are the parts of one scene, with the numbers and names of each"
           "bad.obj: face 1 names vertex 2 twice");
   refused({"--check", "--parts", "--topology", low, folder.write("x.npy", npy_of({text_of_three, text_of_three}, 3)),
            folder.write("y.npy", npy_of({text_of_three}, 3))},
-          "has 2 frames; with --check a part of a scene is one mesh at rest");
+          "has 2 frames; it must be one mesh at rest");
   refused({"--check", "--parts", low, flat}, "is a mesh in the plane");
 }
 

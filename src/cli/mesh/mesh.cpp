@@ -19,6 +19,7 @@
 #include "cli/shared/command_line/common_options.hpp"
 #include "cli/shared/progress/interrupt.hpp"
 #include "cli/shared/progress/pipeline.hpp"
+#include "cli/shared/progress/stoppable.hpp"
 #include "cli/shared/progress/waiting_line.hpp"
 #include "cli/shared/proofs/motion_proofs.hpp"
 #include "cli/shared/words.hpp"
@@ -126,16 +127,6 @@ proofs::MotionFrame motion_frame(const Frame& frame) {
     positions[v] = {x[0], x[1], dimension == 3 ? x[2] : 0};
   }
   return positions;
-}
-
-/// What the work returns, unless Ctrl-C stops it. @throws Interrupted
-template <class Work>
-auto stoppable(const Work& work) {
-  try {
-    return work();
-  } catch (const Stopped&) {
-    throw Interrupted();
-  }
 }
 
 /// Checks frames one after the other.

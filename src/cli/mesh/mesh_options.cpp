@@ -7,6 +7,7 @@
 
 #include "cli/mesh/mesh.hpp"
 #include "cli/shared/command_line/common_options.hpp"
+#include "cli/shared/command_line/mesh_file_options.hpp"
 #include "cli/shared/words.hpp"
 #include "io/fail.hpp"
 #include "io/times.hpp"
@@ -71,12 +72,9 @@ void add_mesh(CLI::App& program, Command& command) {
                  "folder or a pattern in quotes is one part with these frames. With --check each file is a part. A "
                  "part has the name of its files, whatever objects they have")
       ->excludes("--in-order");
-  subcommand->add_flag(
-      "--weld", options->repairs.weld,
-      "Elements name the first of a part's vertices at exactly one position in place of the others: for "
-      "meshes with a vertex for each face. The first frame says which. Objects and groups are parts");
-  subcommand->add_flag("--drop-degenerate", options->repairs.drop_degenerate,
-                       "Leave out faces and edges that name a vertex twice, or the vertices of one before them");
+  add_repair_options(*subcommand, options->repairs, options->triangulate,
+                     "Elements name the first of a part's vertices at exactly one position in place of the others: for "
+                     "meshes with a vertex for each face. The first frame says which. Objects and groups are parts");
   add_separation_options(*subcommand, options->separation, "The distance at which two elements are in contact");
   CLI::Option* const separation = subcommand->get_option("--separation")->excludes(check);
   CLI::Option* const clearance = subcommand->add_flag(
@@ -90,27 +88,13 @@ void add_mesh(CLI::App& program, Command& command) {
       ->needs(check);
   CLI::Option* const metric = subcommand->get_option("--metric");
   metric->remove_needs(separation);  // one of two is needed
-  const auto pair_of_parts = [](const std::string& text) {
-    return text.find(',') == std::string::npos ? "must be two names of parts, such as A,B" : std::string();
-  };
-  CLI::Option* const only_between =
-      subcommand
-          ->add_option("--only-between", options->parts.only_between,
-                       "Ask about these two parts against each other, and about nothing else: objects or groups of "
-                       "the file, or patterns with * ? [. A,A asks about pairs within A. It may be given several times")
-          ->type_name("A,B")
-          ->allow_extra_args(false)
-          ->check(pair_of_parts);
-  CLI::Option* const ignore = subcommand
-                                  ->add_option("--ignore", options->parts.ignored,
-                                               "Do not ask about these two parts; A,A leaves out pairs within A")
-                                  ->type_name("A,B")
-                                  ->allow_extra_args(false)
-                                  ->excludes(only_between)
-                                  ->check(pair_of_parts);
+  add_pair_options(*subcommand, options->parts,
+                   "Ask about these two parts against each other, and about nothing else: objects or groups of the "
+                   "file, or patterns with * ? [. A,A asks about pairs within A. It may be given several times",
+                   "Do not ask about these two parts; A,A leaves out pairs within A");
   CLI::Option* const between =
       subcommand->add_flag("--between-parts", options->parts.between_parts, "Do not ask about pairs within one part")
-          ->excludes(only_between);
+          ->excludes("--only-between");
   subcommand
       ->add_option_function<std::string>(
           "--self", [options](const std::string& text) { options->self = *io::parse_finite_double(text); },
@@ -125,11 +109,7 @@ void add_mesh(CLI::App& program, Command& command) {
         if (!length) return text + fault_of_number(text);
         return *length > 0 ? std::string() : text + " must be greater than 0";
       });
-  subcommand
-      ->add_option("--threads", options->threads,
-                   "The number of threads (default: all that the machine has); no result depends on it")
-      ->type_name("N")
-      ->check(CLI::Range(1, 1024));
+  add_threads_option(*subcommand, options->threads);
   subcommand
       ->add_option_function<std::string>(
           "--shard", [options](const std::string& text) { options->shard = shard_from(text); },
@@ -175,8 +155,8 @@ void add_mesh(CLI::App& program, Command& command) {
                    "FOLDER/proofs.txt, for touchstone-check. The folder must be new or empty")
       ->type_name("FOLDER")
       ->excludes(check)
-      ->excludes(only_between)
-      ->excludes(ignore)
+      ->excludes("--only-between")
+      ->excludes("--ignore")
       ->excludes(between)
       ->excludes("--self");
   subcommand
@@ -209,8 +189,6 @@ void add_mesh(CLI::App& program, Command& command) {
                               });
   velocity->needs(dt);
   subcommand->add_option("--dataset", options->dataset, "The name of the data set in HDF5 files")->type_name("NAME");
-  subcommand->add_flag("--triangulate", options->triangulate,
-                       "Cut polygons of more than three corners into triangles that share the first corner");
   for (const char* name : {"--queries", "--prove", "--topology", "--velocity"}) {
     subcommand->get_option(name)->check(not_empty);
   }

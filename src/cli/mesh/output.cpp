@@ -28,16 +28,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t kShownPairs = 5;  // of a list on the console; the report has all
-
 bool is_there(const std::string& path) {
   std::error_code ignored;
   return fs::exists(path, ignored);
-}
-
-std::string time_range(double toi, double toi_upper) {
-  if (toi == toi_upper) return "t = " + time_for_person(toi);
-  return fmt::format("t in [{}, {}] ({})", io::hexfloat(toi), io::hexfloat(toi_upper), toi);
 }
 
 /// "least distance 0.25: vertex 3 and face 5 (6-7-8), from t = 0.5". Empty where it was not asked for, and where the
@@ -55,10 +48,6 @@ std::string clearance_of(const sequence::Result& result, const Separation& separ
   return clearance.pairs == 1 ? text : text + fmt::format(", and {}", counted(clearance.pairs - 1, "more pair"));
 }
 
-std::string more_line(std::size_t count, const std::string& indent) {
-  return count > kShownPairs ? fmt::format("{}and {} more\n", indent, grouped(count - kShownPairs)) : std::string();
-}
-
 std::string contact_of(const sequence::PairContact& pair) {
   Answer answer;
   answer.contact = true;
@@ -66,19 +55,6 @@ std::string contact_of(const sequence::PairContact& pair) {
   answer.feature_a = pair.feature_a;
   answer.feature_b = pair.feature_b;
   return contact_for_person(answer);
-}
-
-std::string pair_for_person(const sequence::PairContact& pair) {
-  return element_for_person(pair.first) + " and " + element_for_person(pair.second);
-}
-
-std::string intersection_lines(const std::vector<sequence::RestContact>& contacts, const std::string& indent) {
-  std::string text;
-  for (std::size_t i = 0; i < std::min(kShownPairs, contacts.size()); ++i) {
-    text += fmt::format("{}{} {} {}\n", indent, element_for_person(contacts[i].first),
-                        intersection_verb(contacts[i].sort), element_for_person(contacts[i].second));
-  }
-  return text + more_line(contacts.size(), indent);
 }
 
 std::string intersections_of(const sequence::Result& result) {
@@ -104,10 +80,6 @@ bool is_within_polygon(const sequence::RestContact& contact, const frames::Topol
 
 // In the folder of each kind: the pairs that the run's separation is about, and ends of wires with wires beside them.
 constexpr const char* kQueriesFiles[] = {"contacts.csv", "folds.csv"};
-
-std::string pairs_are(std::size_t count) {
-  return count == 1 ? "1 pair is in contact at the start" : counted(count, "pair") + " are in contact at the start";
-}
 
 }  // namespace
 

@@ -3,10 +3,12 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "cli/shared/command_line/separation_options.hpp"
 #include "cli/shared/words.hpp"
+#include "io/times.hpp"
 #include "sequence/report_json.hpp"
 #include "sequence/scope.hpp"
 
@@ -21,6 +23,32 @@ std::string element_for_person(const sequence::NamedElement& element) {
                                                           : fmt::format("{} {}", name_of(element.element), corners);
   if (!element.part.empty()) text += " of " + element.part;
   return text;
+}
+
+std::string pair_for_person(const sequence::PairContact& pair) {
+  return element_for_person(pair.first) + " and " + element_for_person(pair.second);
+}
+
+std::string time_range(double toi, double toi_upper) {
+  if (toi == toi_upper) return "t = " + time_for_person(toi);
+  return fmt::format("t in [{}, {}] ({})", io::hexfloat(toi), io::hexfloat(toi_upper), toi);
+}
+
+std::string pairs_are(std::size_t count) {
+  return count == 1 ? "1 pair is in contact at the start" : counted(count, "pair") + " are in contact at the start";
+}
+
+std::string more_line(std::size_t count, const std::string& indent) {
+  return count > kShownPairs ? fmt::format("{}and {} more\n", indent, grouped(count - kShownPairs)) : std::string();
+}
+
+std::string intersection_lines(const std::vector<sequence::RestContact>& contacts, const std::string& indent) {
+  std::string text;
+  for (std::size_t i = 0; i < std::min(kShownPairs, contacts.size()); ++i) {
+    text += fmt::format("{}{} {} {}\n", indent, element_for_person(contacts[i].first),
+                        intersection_verb(contacts[i].sort), element_for_person(contacts[i].second));
+  }
+  return text + more_line(contacts.size(), indent);
 }
 
 std::string intersections_for_person(const sequence::IntersectionCounts& counts) {

@@ -198,6 +198,16 @@ struct MeshFacts {
   /// Whether two elements could collide at all: there are more than one point, one edge or one face.
   bool has_pairs() const noexcept { return points + edges > (faces > 0 ? 3u : 1u); }
 
+  /// Adds the numbers of another mesh.
+  void add_counts(const MeshFacts& other) noexcept {
+    for (const auto member :
+         {&MeshFacts::vertices, &MeshFacts::edges, &MeshFacts::faces, &MeshFacts::points, &MeshFacts::idle,
+          &MeshFacts::neighbours, &MeshFacts::polygons, &MeshFacts::branching, &MeshFacts::joined, &MeshFacts::welded,
+          &MeshFacts::dropped, &MeshFacts::animations, &MeshFacts::unshown, &MeshFacts::moved}) {
+      this->*member += other.*member;
+    }
+  }
+
   bool operator==(const MeshFacts& other) const = default;
 };
 

@@ -31,14 +31,7 @@ std::string json_of(const NamedElement& element) {
   return text + "}";
 }
 
-std::string json_of(const PairContact& pair) {
-  std::string text = fmt::format(
-      "{{\"kind\":\"{}\",\"first\":{},\"second\":{},\"nature\":\"{}\",\"feature_a\":\"{}\",\"feature_b\":\"{}\"",
-      name_of(pair.kind), json_of(pair.first), json_of(pair.second), name_of(pair.nature), name_of(pair.feature_a),
-      name_of(pair.feature_b));
-  if (pair.trend != Trend::none) text += fmt::format(",\"trend\":\"{}\"", name_of(pair.trend));
-  return text + "}";
-}
+std::string json_of(const PairContact& pair) { return contact_json(pair); }
 
 std::string json_of(const RestContact& contact) {
   return fmt::format("{{\"first\":{},\"second\":{},\"sort\":\"{}\"}}", json_of(contact.first), json_of(contact.second),
@@ -161,6 +154,17 @@ double time_from(const JsonNode& node) {
 }  // namespace
 
 std::string json_string(std::string_view text) { return nlohmann::json(text).dump(); }
+
+std::string contact_json(const PairContact& pair, std::string_view more) {
+  std::string text = fmt::format(
+      "{{\"kind\":\"{}\",\"first\":{},\"second\":{},\"nature\":\"{}\",\"feature_a\":\"{}\",\"feature_b\":\"{}\"",
+      name_of(pair.kind), json_of(pair.first), json_of(pair.second), name_of(pair.nature), name_of(pair.feature_a),
+      name_of(pair.feature_b));
+  if (pair.trend != Trend::none) text += fmt::format(",\"trend\":\"{}\"", name_of(pair.trend));
+  return text.append(more) + "}";
+}
+
+std::string intersections_json(const std::vector<RestContact>& intersections) { return list_json(intersections); }
 
 namespace {
 

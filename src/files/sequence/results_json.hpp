@@ -4,6 +4,7 @@
 
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "json/json_node.hpp"
 #include "sequence/results.hpp"
@@ -15,6 +16,13 @@ inline constexpr std::uint64_t kMostFrames = 1'000'000'000'000;
 
 /// `text`, which is valid UTF-8, as a JSON string with its quotes.
 std::string json_string(std::string_view text);
+
+/// Two elements in contact as a JSON object.
+/// @param more  further members, each with a comma before it
+std::string contact_json(const PairContact& pair, std::string_view more = {});
+
+/// A JSON list.
+std::string intersections_json(const std::vector<RestContact>& intersections);
 
 /// One line, without its end.
 std::string result_json(const Result& result);

@@ -22,12 +22,7 @@ struct Meshes {
 
   void add(const MeshFacts& facts) {
     ++count;
-    for (const auto member :
-         {&MeshFacts::vertices, &MeshFacts::edges, &MeshFacts::faces, &MeshFacts::points, &MeshFacts::idle,
-          &MeshFacts::neighbours, &MeshFacts::polygons, &MeshFacts::branching, &MeshFacts::joined, &MeshFacts::welded,
-          &MeshFacts::dropped, &MeshFacts::animations, &MeshFacts::unshown, &MeshFacts::moved}) {
-      sum.*member += facts.*member;
-    }
+    sum.add_counts(facts);
     if (!facts.has_pairs()) {
       ++without_pairs;
     } else if (!facts.has_elements()) {

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+#include "cli/shared/command_line/mesh_file_options.hpp"
+
+#include <CLI/CLI.hpp>
+
+namespace touchstone::cli {
+
+void add_repair_options(CLI::App& subcommand, sequence::RepairOptions& repairs, bool& triangulate,
+                        const std::string& weld) {
+  subcommand.add_flag("--weld", repairs.weld, weld);
+  subcommand.add_flag("--drop-degenerate", repairs.drop_degenerate,
+                      "Leave out faces and edges that name a vertex twice, or the vertices of one before them");
+  subcommand.add_flag("--triangulate", triangulate,
+                      "Cut polygons of more than three corners into triangles that share the first corner");
+}
+
+void add_pair_options(CLI::App& subcommand, sequence::PartOptions& parts, const std::string& only,
+                      const std::string& ignore) {
+  const auto pair_of_names = [](const std::string& text) {
+    return text.find(',') == std::string::npos ? "must be two names of parts, such as A,B" : std::string();
+  };
+  CLI::Option* const only_between = subcommand.add_option("--only-between", parts.only_between, only);
+  CLI::Option* const ignored = subcommand.add_option("--ignore", parts.ignored, ignore)->excludes(only_between);
+  for (CLI::Option* const option : {only_between, ignored}) {
+    option->type_name("A,B")->allow_extra_args(false)->check(pair_of_names);
+  }
+}
+
+void add_threads_option(CLI::App& subcommand, int& threads) {
+  subcommand
+      .add_option("--threads", threads,
+                  "The number of threads (default: all that the machine has); no result depends on it")
+      ->type_name("N")
+      ->check(CLI::Range(1, 1024));
+}
+
+}  // namespace touchstone::cli
