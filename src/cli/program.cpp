@@ -16,6 +16,7 @@
 #include <touchstone/version.hpp>
 
 #include "cli/bench/bench.hpp"
+#include "cli/bodies/bodies.hpp"
 #include "cli/certify/certify.hpp"
 #include "cli/convert/convert.hpp"
 #include "cli/describe/describe.hpp"
@@ -135,6 +136,7 @@ int parse_and_run(int argc, const char* const* argv) {
       "  touchstone stress --out stress                    where each method breaks as queries get stiff\n"
       "  touchstone simulate hoop --out hoop               a basketball through a net, each step proved\n"
       "  touchstone mesh --report report.json cloth-*.obj  is each step of an animation free of contact?\n"
+      "  touchstone bodies box.obj wall.obj --poses p.csv  the same of rigid bodies that turn, from recorded poses\n"
       "  touchstone doctor                                 what is missing, and is arithmetic sound here?\n\n"
       "A query file has a row for each corner at t = 0 and then for each at t = 1, in the order\n"
       "  edge-edge    a0 a1 b0 b1      vertex-face  v f0 f1 f2      point-edge  p e0 e1      point-point  p q\n"
@@ -166,6 +168,7 @@ int parse_and_run(int argc, const char* const* argv) {
   add_stress(program, command);
   add_simulate(program, command);
   add_mesh(program, command);
+  add_bodies(program, command);
   add_merge(program, command);
   add_scenes(program, command);
   add_doctor(program, command);

@@ -37,7 +37,8 @@ const std::vector<AllowedWord> kAllowedWords = {
      "SolveOptions::wanted and Wanted are public names, and the value keeps its name down to the levels"},
     {"part",
      {"src/bindings/python/mesh_files.cpp", "src/files/frames/", "src/files/sequence/", "src/cli/generate/frames.cpp",
-      "src/cli/mesh/", "src/cli/shared/mesh_results.cpp", "src/cli/shared/command_line/mesh_file_options"},
+      "src/cli/mesh/", "src/cli/bodies/", "src/cli/shared/mesh_results.cpp",
+      "src/cli/shared/command_line/mesh_file_options"},
      "a named object or group of a mesh file, as the key `part` of reports and the columns of tables call it"},
 };
 

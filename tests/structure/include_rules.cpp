@@ -53,9 +53,9 @@ const LayerTable& layer_table() {
        {"solver", "certify", "baselines", "families", "generators", "io", "seeded", "bodies", "body_contact", "scene",
         "sim"}},
       {"stress", {"solver", "report", "seeded"}},
-      {"cli", {"numbers", "filters",  "exact",  "solver",   "certify", "baselines", "generators", "io",
-               "report",  "families", "fuzz",   "seeded",   "scene",   "contact",   "sim",        "stress",
-               "mesh",    "threads",  "frames", "sequence", "proofs",  "view",      "geometry",   "json"}},
+      {"cli", {"numbers",  "filters",  "exact",  "solver", "certify",  "baselines", "generators", "io",   "report",
+               "families", "fuzz",     "seeded", "scene",  "contact",  "sim",       "stress",     "mesh", "threads",
+               "frames",   "sequence", "proofs", "view",   "geometry", "json",      "rigid"}},
   };
   return table;
 }

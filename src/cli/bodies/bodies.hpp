@@ -1,0 +1,37 @@
+// `touchstone bodies`: is each step between the recorded poses of rigid bodies free of contact?
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <touchstone/bodies.hpp>
+
+#include "cli/bodies/pose_file.hpp"
+#include "cli/shared/command_line/command.hpp"
+#include "cli/shared/command_line/separation_options.hpp"
+#include "sequence/parts/part_rules.hpp"
+#include "sequence/repairs.hpp"
+
+namespace touchstone::cli {
+
+struct BodiesRunOptions {
+  std::vector<std::string> files;  ///< of the bodies, as given; patterns are not expanded yet
+  std::string poses;               ///< the file of poses
+  std::optional<QuaternionOrder> order;
+  Turn turn = Turn::shorter;
+  SeparationOption separation;
+  sequence::PartOptions rules;  ///< a body is a part
+  sequence::RepairOptions repairs;
+  bool triangulate = false;
+  bool check_start = true;  ///< asks about intersections at the start of the first step
+  int threads = 0;          ///< 0: all that the machine has
+  bool json = false;        ///< steps as lines of JSON on standard output, the verdict beside it
+  std::string free_step;    ///< the table of poses to write at which each step may end; empty: none
+};
+
+int run_bodies(const BodiesRunOptions& options);
+void add_bodies(CLI::App& program, Command& command);
+
+}  // namespace touchstone::cli

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: MIT
+#include "cli/bodies/body_files.hpp"
+
+#include <fmt/format.h>
+
+#include <utility>
+
+#include <touchstone/error.hpp>
+
+#include "cli/shared/progress/interrupt.hpp"
+#include "cli/shared/words.hpp"
+#include "frames/frame.hpp"
+#include "io/fail.hpp"
+#include "sequence/checks.hpp"
+#include "sequence/parts/scene_parts.hpp"
+
+namespace touchstone::cli {
+namespace {
+
+frames::ReadOptions reading_of(const BodiesRunOptions& options) {
+  frames::ReadOptions reading;
+  reading.triangulate = options.triangulate;
+  reading.checkpoint = throw_if_interrupted;
+  return reading;
+}
+
+}  // namespace
+
+BodyFiles::BodyFiles(const BodiesRunOptions& options) {
+  for (const sequence::ScenePart& part : sequence::parts_at_rest(options.files, reading_of(options))) {
+    names_.push_back(part.name);
+    files_.push_back(part.frames.front().file);
+  }
+  if (files_.size() < 2) {
+    throw Error(fmt::format("there {} only {}, and elements of one body are never compared; name two files or more",
+                            files_.size() == 1 ? "is" : "are", files_.size() == 1 ? "1 body" : "0 bodies"));
+  }
+  bodies_.separation = options.separation.separation;
+  for (std::size_t body = 0; body < files_.size(); ++body) read(options, body);
+  for (std::size_t body = 0; body < files_.size(); ++body) {
+    elements_.emplace_back(bodies_.bodies[body].mesh(), *topologies_[body]);
+  }
+  set_rules(options.rules);
+}
+
+void BodyFiles::read(const BodiesRunOptions& options, std::size_t body) {
+  const std::string& file = files_[body];
+  frames::Frame frame = frames::read_frame(file, 0, reading_of(options));
+  if (frame.topology->dimension != 3) io::fail(file, "is a mesh in the plane; bodies are in space");
+  sequence::RepairOptions repairs = options.repairs;
+  repairs.is_one_part = true;
+  sequence::Repairs(repairs, true).mend(frame, {file});
+  sequence::check_positions(frame, {file});
+  auto topology = std::make_shared<frames::Topology>(*frame.topology);
+  const Mesh mesh = sequence::mesh_of(*topology, {}, file);
+  sequence::MeshFacts facts = sequence::facts_of(mesh, *topology);
+  facts.neighbours = 0;  // elements of one body are never compared
+  facts_.add_counts(facts);
+  topology->face_parts.clear();  // the body is what elements are named after
+  topology->vertex_parts.clear();
+  topologies_.push_back(std::move(topology));
+  bodies_.bodies.emplace_back(mesh, Positions(frame.positions, 3));
+}
+
+void BodyFiles::set_rules(const sequence::PartOptions& options) {
+  if (options.empty()) return;
+  frames::Topology scene;  // a vertex for each body
+  scene.parts = names_;
+  scene.vertex_count = names_.size();
+  for (std::size_t body = 0; body < names_.size(); ++body) {
+    scene.vertex_parts.push_back(static_cast<std::uint32_t>(body));
+  }
+  const std::string option = options.only_between.empty() ? "--ignore" : "--only-between";
+  rules_ = sequence::part_rules_of(scene, options, option);
+  CollisionRules rules = sequence::collision_rules(scene, rules_, option);
+  if (rules.groups.empty()) return;
+  bodies_.rules = {{}, std::move(rules.groups), rules.group_rule, std::move(rules.group_pairs)};
+}
+
+sequence::NamedElement BodyFiles::named(MeshElement sort, const BodyElement& element) {
+  sequence::NamedElement named = elements_[element.body].element(sort, element.element);
+  named.part = sequence::shown_part(names_[element.body]);
+  return named;
+}
+
+}  // namespace touchstone::cli

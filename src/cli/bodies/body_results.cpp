@@ -1,0 +1,239 @@
+// SPDX-License-Identifier: MIT
+#include "cli/bodies/body_results.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "cli/shared/command_line/separation_options.hpp"
+#include "cli/shared/mesh_results.hpp"
+#include "cli/shared/words.hpp"
+#include "geometry/kind_traits.hpp"
+#include "io/answers/answer_writer.hpp"
+#include "sequence/parts/part_rules.hpp"
+#include "sequence/results_json.hpp"
+#include "sequence/scope.hpp"
+
+namespace touchstone::cli {
+namespace {
+
+constexpr std::size_t kShownSteps = 10;  // of those that are not free; --json has all
+
+std::string decimal(double value) { return io::number_text(value, io::Numbers::decimals); }
+
+/// A time within a step, rounded.
+double time_at(const RecordedPoses& poses, std::size_t step, double fraction) {
+  return std::lerp(poses.times[step], poses.times[step + 1], fraction);
+}
+
+std::string list_of(const std::array<double, 3>& weights) {
+  return fmt::format("[{},{},{}]", decimal(weights[0]), decimal(weights[1]), decimal(weights[2]));
+}
+
+/// The bodies as one mesh at rest, for the words about what is left out of it.
+sequence::Heading heading_of(const BodyFiles& files) {
+  sequence::Heading heading;
+  heading.question = sequence::Question::rest;
+  heading.frame_count = 1;
+  heading.facts = files.facts();
+  return heading;
+}
+
+/// " is" for one, else " are".
+const char* is(std::size_t count) { return count == 1 ? " is" : " are"; }
+
+}  // namespace
+
+std::string step_label(const RecordedPoses& poses, std::size_t step) {
+  return decimal(poses.times[step]) + " -> " + decimal(poses.times[step + 1]);
+}
+
+BodyResults::BodyResults(const BodiesRunOptions& options, BodyFiles& files, const RecordedPoses& poses)
+    : options_(options), files_(files), poses_(poses), console_(io::OutputFile::standard_output()) {
+  if (options.free_step.empty()) return;
+  free_step_.emplace(options.free_step);
+  free_step_->write("from,to,outcome,length,body,x,y,z,qw,qx,qy,qz\n");
+}
+
+void BodyResults::write_poses(const FreeBodyStep& found) {
+  const std::string step = fmt::format("{},{},{},{}", decimal(poses_.times[steps_]), decimal(poses_.times[steps_ + 1]),
+                                       name_of(found.outcome), decimal(found.length));
+  for (std::size_t body = 0; body < found.poses.size(); ++body) {
+    const auto& [q, p] = found.poses[body];
+    free_step_->write(fmt::format("{},{}", step, io::csv_field(files_.names()[body])));
+    for (const double value : {p.x, p.y, p.z, q[0], q[1], q[2], q[3]})
+      free_step_->write(fmt::format(",{}", decimal(value)));
+    free_step_->write("\n");
+  }
+}
+
+void BodyResults::add(const FreeBodyStep& step, std::size_t longer) {
+  const FirstBodyContact& found = step.first_contact;
+  if (free_step_) write_poses(step);
+  if (options_.json) {
+    console_.write(json_of(found, longer));
+    console_.commit();
+  }
+  if (found.free()) {
+    ++free_;
+  } else {
+    if (first_.empty()) {
+      const bool later = found.at_start.empty() && found.start_intersections.empty();
+      first_ = fmt::format("; the first at time {}", decimal(time_at(poses_, steps_, later ? found.toi : 0)));
+    }
+    if (!options_.json && shown_++ < kShownSteps) lines_ += lines_of(found);
+  }
+  excluded_ = found.excluded;
+  longer_ += longer;
+  ++steps_;
+}
+
+sequence::PairContact BodyResults::named(const BodyContact& contact) const {
+  const auto& [first, second] = geometry::traits_of(contact.pair.kind);
+  const Answer& answer = contact.answer;
+  return {contact.pair.kind,
+          files_.named(first.sort, contact.pair.first),
+          files_.named(second.sort, contact.pair.second),
+          answer.nature,
+          answer.feature_a,
+          answer.feature_b,
+          answer.trend};
+}
+
+std::vector<sequence::RestContact> BodyResults::named(const std::vector<BodyIntersection>& found) const {
+  std::vector<sequence::RestContact> named;
+  for (const BodyIntersection& one : found) {
+    named.push_back(
+        {files_.named(one.first_element, one.first), files_.named(one.second_element, one.second), one.sort});
+  }
+  return named;
+}
+
+std::string BodyResults::lines_of(const FirstBodyContact& found) const {
+  std::string text = step_label(poses_, steps_) + ": ";
+  const auto add_pairs = [&](const std::vector<BodyContact>& contacts, const char* indent) {
+    for (std::size_t i = 0; i < std::min(kShownPairs, contacts.size()); ++i) {
+      text += fmt::format("{}{}: {}\n", indent, pair_for_person(named(contacts[i])),
+                          contact_for_person(contacts[i].answer));
+    }
+    text += more_line(contacts.size(), indent);
+  };
+  const char* indent = "";
+  if (found.contact) {
+    text += fmt::format("first contact at {} of the step, time {}, {}\n", time_range(found.toi, found.toi_upper),
+                        decimal(time_at(poses_, steps_, found.toi)), counted(found.earliest.size(), "pair"));
+    add_pairs(found.earliest, "  ");
+    indent = "  ";
+  }
+  if (!found.at_start.empty()) {
+    text += indent + pairs_are(found.at_start.size()) + "\n";
+    add_pairs(found.at_start, found.contact ? "    " : "  ");
+    indent = "  ";
+  }
+  if (!found.start_intersections.empty()) {
+    const std::vector<sequence::RestContact> contacts = named(found.start_intersections);
+    sequence::IntersectionCounts counts;
+    counts.add(contacts);
+    text += fmt::format("{}at the start {}\n", indent, intersections_for_person(counts));
+    text += intersection_lines(contacts, *indent == '\0' ? "  " : "    ");
+  }
+  return text;
+}
+
+std::string BodyResults::json_of(const FirstBodyContact& found, std::size_t longer) const {
+  std::string text = fmt::format(
+      "{{\"step\":{},\"from\":{},\"to\":{},\"free\":{},\"longer_turns\":{},\"start_asked\":{}", steps_,
+      decimal(poses_.times[steps_]), decimal(poses_.times[steps_ + 1]), found.free(), longer, found.start_checked);
+  const auto list = [&](const char* key, const std::vector<BodyContact>& contacts) {
+    text += fmt::format(",\"{}\":[", key);
+    for (const BodyContact& contact : contacts) {
+      if (&contact != &contacts.front()) text += ',';
+      const Answer& answer = contact.answer;
+      text += sequence::contact_json(named(contact), fmt::format(",\"weights_a\":{},\"weights_b\":{}",
+                                                                 list_of(answer.weights_a), list_of(answer.weights_b)));
+    }
+    text += "]";
+  };
+  if (!found.free()) {
+    const auto number = [&](double value) { return found.contact ? decimal(value) : std::string("null"); };
+    const auto time = [&](double fraction) { return number(found.contact ? time_at(poses_, steps_, fraction) : 0); };
+    text += fmt::format(",\"toi\":{},\"toi_upper\":{},\"time\":{},\"time_upper\":{}", number(found.toi),
+                        number(found.toi_upper), time(found.toi), time(found.toi_upper));
+    list("first", found.earliest);
+    list("at_start", found.at_start);
+    text += ",\"intersections\":" + sequence::intersections_json(named(found.start_intersections));
+  }
+  return text + "}\n";
+}
+
+std::vector<std::string> BodyResults::left_out() const {
+  std::vector<std::string> texts = {"elements of one body were never compared"};
+  const std::size_t bodies = files_.names().size(), rest = poses_.at_rest();
+  if (rest > 0) {
+    texts.push_back(fmt::format("{} of {} bodies{} at rest: no pose names {}", grouped(rest), grouped(bodies), is(rest),
+                                rest == 1 ? "it" : "them"));
+  }
+  if (excluded_ > 0) {
+    texts.push_back(fmt::format("{} of {} pairs of bodies {} left out", grouped(excluded_),
+                                grouped(bodies * (bodies - 1) / 2), excluded_ == 1 ? "was" : "were"));
+  }
+  for (std::string& text : sequence::left_out_by(files_.rules())) texts.push_back(std::move(text));
+  texts.push_back(options_.check_start ? "the start was asked about intersections, too"
+                                       : "whether bodies intersect at the start was not asked");
+  if (longer_ > 0) {
+    const std::string turns =
+        fmt::format("{} of {} turns {} the longer way by the signs of the quaternions (q0 . q1 < 0)", grouped(longer_),
+                    grouped(steps_ * (bodies - rest)), longer_ == 1 ? "goes" : "go");
+    texts.push_back(turns + (options_.turn == Turn::shorter
+                                 ? fmt::format(" and {} taken the shorter way", longer_ == 1 ? "was" : "were")
+                                 : " and may be meant the shorter way"));
+  }
+  if (poses_.not_unit > 0) {
+    texts.push_back(
+        fmt::format("{} quaternion{} {} a length that is not 1, the first in row {}: the rate of a turn depends on it",
+                    grouped(poses_.not_unit), poses_.not_unit == 1 ? "" : "s", poses_.not_unit == 1 ? "has" : "have",
+                    poses_.not_unit_row));
+  }
+  if (!poses_.unread.empty()) {
+    std::string names;
+    for (const std::string& name : poses_.unread) names += (names.empty() ? "" : ", ") + name;
+    texts.push_back(fmt::format("{} of the poses {} not read: {}", counted(poses_.unread.size(), "column"),
+                                poses_.unread.size() == 1 ? "was" : "were", names));
+  }
+  for (std::string& text : sequence::warnings_of(heading_of(files_), {}, {})) texts.push_back(std::move(text));
+  return texts;
+}
+
+std::string BodyResults::verdict() const {
+  const std::size_t rest = steps_ - free_;
+  std::string text = counted(steps_, "step");
+  text += rest == 0 ? std::string(steps_ == 1 ? ", free of contact" : ", all free of contact")
+                    : fmt::format(": {} free, {} not free", grouped(free_), grouped(rest));
+  text += fmt::format("{} ({}: {}", first_, counted(files_.names().size(), "body"),
+                      sequence::scope_of(heading_of(files_), {}));
+  const Separation& separation = files_.bodies().separation;
+  if (separation.distance > 0) text += "; " + separation_for_person(separation);
+  text += ")";
+  for (const std::string& one : left_out()) text += "; " + one;
+  return text + "\n";
+}
+
+bool BodyResults::finish() {
+  const bool all_free = free_ == steps_;
+  if (free_step_) free_step_->commit();
+  if (options_.json) {
+    print_error(verdict());
+  } else {
+    console_.write(in_colour(verdict() + lines_, VerdictLine::first, all_free));
+    if (shown_ > kShownSteps) {
+      console_.write(fmt::format("and {} that {} not free; --json has all\n",
+                                 counted(shown_ - kShownSteps, "more step"), shown_ - kShownSteps == 1 ? "is" : "are"));
+    }
+    console_.commit();
+  }
+  return all_free;
+}
+
+}  // namespace touchstone::cli

@@ -1,0 +1,58 @@
+// What `touchstone bodies` writes: the verdict, the steps that are not free, lines of JSON, and poses of free steps.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <touchstone/bodies.hpp>
+
+#include "cli/bodies/bodies.hpp"
+#include "cli/bodies/body_files.hpp"
+#include "cli/bodies/pose_file.hpp"
+#include "io/output_file.hpp"
+
+namespace touchstone::cli {
+
+/// "0.1 -> 0.2": the step that begins at this time.
+std::string step_label(const RecordedPoses& poses, std::size_t step);
+
+class BodyResults {
+ public:
+  /// Opens the files, so that one that cannot be written is found before the run. @throws FileError
+  BodyResults(const BodiesRunOptions& options, BodyFiles& files, const RecordedPoses& poses);
+
+  /// The next step. Its first contact is all that counts without --free-step.
+  /// @param longer  how many bodies take the longer of two turns by the signs of their recorded quaternions
+  void add(const FreeBodyStep& step, std::size_t longer);
+
+  /// Writes the verdict and what belongs to it. @returns whether every step is free
+  bool finish();
+
+ private:
+  void write_poses(const FreeBodyStep& step);
+  std::string lines_of(const FirstBodyContact& found) const;
+  std::string json_of(const FirstBodyContact& found, std::size_t longer) const;
+  std::string verdict() const;
+  std::vector<std::string> left_out() const;
+
+  sequence::PairContact named(const BodyContact& contact) const;
+  std::vector<sequence::RestContact> named(const std::vector<BodyIntersection>& found) const;
+
+  const BodiesRunOptions& options_;
+  BodyFiles& files_;
+  const RecordedPoses& poses_;
+  io::OutputFile console_;
+  std::optional<io::OutputFile> free_step_;
+
+  std::size_t steps_ = 0, free_ = 0;
+  std::size_t shown_ = 0;     ///< of the steps that are not free
+  std::string lines_;         ///< of those
+  std::string first_;         ///< what is said of the first of them in the verdict
+  std::size_t longer_ = 0;    ///< turns
+  std::size_t excluded_ = 0;  ///< pairs of bodies
+};
+
+}  // namespace touchstone::cli
