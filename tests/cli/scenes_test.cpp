@@ -41,7 +41,7 @@ std::unique_ptr<TemporaryFolder> scene(const std::string& edges = "[[8,9],[10,8]
   return folder;
 }
 
-void check_refused(const std::unique_ptr<TemporaryFolder>& folder, const std::string& words) {
+void check_scenes_refused(const std::unique_ptr<TemporaryFolder>& folder, const std::string& words) {
   const Run run = run_program({"scenes", folder->path("set")});
   CAPTURE(run.err);
   CHECK(run.status == 2);
@@ -95,28 +95,29 @@ TEST_CASE("scenes says which verdicts differ, which contacts have no truth, and 
 }
 
 TEST_CASE("scenes refuses files that do not fit, and says what is wrong") {
-  check_refused(scene("[[8,9]]"), "has 3 truths, and ");
-  check_refused(scene("[[8,9,10],[10,8],[6,9]]"), "7ee.json: [0]: has 3 numbers; a pair has 2");
-  check_refused(scene("[[8,12],[10,8],[6,9]]"), "12 is no edge, which have the numbers 6 to 11");
-  check_refused(scene("[[8,9],[10,8],[6,9]]", "[true,2,false]"), "7ee_mma_bool.json: [1]: must be true or false");
-  check_refused(scene("[[8,9]"), "7ee.json: ");
-  check_refused(scene("[[8,8],[10,8],[6,9]]"), "7ee.json: [0]: is an edge and itself");
-  check_refused(scene("[[8,9],[10,8],[9,8]]"), "7ee.json: [2]: is a pair that the list has already");
+  check_scenes_refused(scene("[[8,9]]"), "has 3 truths, and ");
+  check_scenes_refused(scene("[[8,9,10],[10,8],[6,9]]"), "7ee.json: [0]: has 3 numbers; a pair has 2");
+  check_scenes_refused(scene("[[8,12],[10,8],[6,9]]"), "12 is no edge, which have the numbers 6 to 11");
+  check_scenes_refused(scene("[[8,9],[10,8],[6,9]]", "[true,2,false]"),
+                       "7ee_mma_bool.json: [1]: must be true or false");
+  check_scenes_refused(scene("[[8,9]"), "7ee.json: ");
+  check_scenes_refused(scene("[[8,8],[10,8],[6,9]]"), "7ee.json: [0]: is an edge and itself");
+  check_scenes_refused(scene("[[8,9],[10,8],[9,8]]"), "7ee.json: [2]: is a pair that the list has already");
   const auto half = scene();
   std::filesystem::remove(half->path("set/fall/mma_bool/7ee_mma_bool.json"));
-  check_refused(half, "7ee.json: has no other half in ");
+  check_scenes_refused(half, "7ee.json: has no other half in ");
   const auto one = scene();
   std::filesystem::remove(one->path("set/fall/frames/fall8.obj"));
-  check_refused(one, "holds no two mesh files");
+  check_scenes_refused(one, "holds no two mesh files");
   const auto other = scene();
   other->write("set/fall/boxes/9ee.json", "[]");
-  check_refused(other, "9ee.json: belongs to no step");
+  check_scenes_refused(other, "9ee.json: belongs to no step");
   const auto unnumbered = scene();
   for (const char* number : {"7", "8"}) {
     std::filesystem::rename(unnumbered->path(std::string("set/fall/frames/fall") + number + ".obj"),
                             unnumbered->path(std::string("set/fall/frames/") + number + "fall.obj"));
   }
-  check_refused(unnumbered, "has a name that ends in no number");
+  check_scenes_refused(unnumbered, "has a name that ends in no number");
   const auto overwritten = scene();
   const Run run =
       run_program({"scenes", "--csv", overwritten->path("set/fall/boxes/7ee.json"), overwritten->path("set")});
@@ -125,7 +126,7 @@ TEST_CASE("scenes refuses files that do not fit, and says what is wrong") {
   CHECK(run_program({"scenes", overwritten->path("nothing")}).status == 2);
   const auto empty = std::make_unique<TemporaryFolder>();
   std::filesystem::create_directories(empty->path("set"));
-  check_refused(empty, "holds no scene");
+  check_scenes_refused(empty, "holds no scene");
 }
 
 TEST_CASE("the public scenes have exactly the contacts that their truth says", "[slow]") {
