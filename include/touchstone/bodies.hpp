@@ -28,6 +28,13 @@ struct Pose {
   Vec3 position;                                     ///< where the body's origin is, in the unit of length
 };
 
+/// The order of a quaternion's components, which programs and files differ in: w first in Eigen's constructor, MuJoCo and
+/// here; w last in ROS, Unity, SciPy and glTF.
+enum class QuaternionOrder : std::uint8_t { wxyz, xyzw };
+
+/// The pose with a quaternion of this order.
+Pose pose_of(const Vec3& position, const std::array<double, 4>& quaternion, QuaternionOrder order);
+
 /// Which of both turns a body takes between two orientations: q and -q are the same orientation.
 enum class Turn : std::uint8_t {
   shorter,  ///< the turn by at most 180 degrees: the second quaternion has the other sign where q0 . q1 < 0

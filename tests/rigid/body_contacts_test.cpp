@@ -141,4 +141,7 @@ TEST_CASE("a recorded pose of the other sign turns the shorter way on request") 
   CHECK(motion_between(start, end).q1[0] > 0);
   CHECK(motion_between(start, end, Turn::as_given).q1[0] < 0);
   CHECK(takes_longer_turn(motion_between(start, end, Turn::as_given)));
+  CHECK(pose_of({1, 2, 3}, {4, 5, 6, 7}, QuaternionOrder::wxyz).orientation == std::array<double, 4>{4, 5, 6, 7});
+  CHECK(pose_of({1, 2, 3}, {4, 5, 6, 7}, QuaternionOrder::xyzw).orientation == std::array<double, 4>{7, 4, 5, 6});
+  CHECK(pose_of({1, 2, 3}, {4, 5, 6, 7}, QuaternionOrder::xyzw).position.z == 3);
 }

@@ -12,9 +12,6 @@
 
 namespace touchstone::cli {
 
-/// In which order a file without names of columns has the four numbers of a quaternion.
-enum class QuaternionOrder : std::uint8_t { wxyz, xyzw };
-
 /// What a file of poses holds.
 struct RecordedPoses {
   std::vector<double> times;              ///< ascending, two or more

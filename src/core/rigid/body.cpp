@@ -220,6 +220,12 @@ Body::Body(const Mesh& mesh, const Positions& points) {
 const Mesh& Body::mesh() const noexcept { return impl_->mesh; }
 const std::vector<Vec3>& Body::points() const noexcept { return impl_->points; }
 
+Pose pose_of(const Vec3& position, const std::array<double, 4>& quaternion, QuaternionOrder order) {
+  const auto& [a, b, c, d] = quaternion;
+  if (order == QuaternionOrder::wxyz) return {quaternion, position};
+  return {{d, a, b, c}, position};
+}
+
 RigidMotion motion_between(const Pose& start, const Pose& end, Turn turn) {
   const RigidMotion motion{start.orientation, end.orientation, start.position, end.position};
   return turn == Turn::shorter ? with_shorter_turn(motion) : motion;

@@ -12,9 +12,6 @@
 
 namespace touchstone::python {
 
-/// The order of a quaternion's components in arrays of poses.
-enum class QuaternionOrder : std::uint8_t { wxyz, xyzw };
-
 /// Pairs of elements of bodies and, of contacts, the answers to their queries.
 struct BodyPairs {
   using BoundToPython = void;
