@@ -29,7 +29,7 @@ namespace touchstone::rigid {
 namespace {
 
 /// Arcs leave straight motion by no more than this part of a body's width.
-constexpr double kLittle = 1.0 / 64;
+constexpr double kLittle = 1.0 / 256;
 
 /// Into how many pieces a step is cut.
 int pieces_for(const Bodies& bodies, const std::vector<RigidMotion>& motions, const BodyPairs& near) {

@@ -10,6 +10,7 @@
 #include "filters/apart/same_side.hpp"
 #include "geometry/kind_traits.hpp"
 #include "mesh/pair_distance.hpp"
+#include "solver/cascade.hpp"
 
 namespace touchstone::rigid {
 namespace {
@@ -208,14 +209,20 @@ class Search {
                       : second.sort == MeshElement::face   ? Kind::vertex_face
                       : second.sort == MeshElement::vertex ? Kind::point_point
                                                            : Kind::point_edge;
-    if (filters::has_cubic(kind)) {
-      double distance = separation_.distance + (first.deviation + second.deviation);
-      if (margins_.radii) distance += first.radius + second.radius;
-      const Query chords = chords_of(kind, first, second, Rule::kRests);
-      const Separation farther{kRounded * distance, separation_.metric};
-      if (std::isfinite(farther.distance) && filters::clear_all_along(chords, farther)) return;
-    }
+    if (are_apart(kind, first, second)) return;
     take_({first.sort, second.sort, {of_first.number, first.number}, {of_second.number, second.number}});
+  }
+
+  /// True proves that two elements are farther than their separation from each other: their chords are farther than
+  /// that by more than both deviations.
+  bool are_apart(Kind kind, const Element& first, const Element& second) const {
+    double distance = separation_.distance + (first.deviation + second.deviation);
+    if (margins_.radii) distance += first.radius + second.radius;
+    const Separation farther{kRounded * distance, separation_.metric};
+    if (!std::isfinite(farther.distance)) return false;
+    const Query chords = chords_of(kind, first, second, Rule::kRests);
+    if (filters::has_cubic(kind) && filters::clear_all_along(chords, farther)) return true;
+    return !solver::answer(chords, farther, Method::fast, 1, Wanted::contact).contact;
   }
 
   const BodyOnArc &a_, &b_;
