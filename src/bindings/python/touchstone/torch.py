@@ -6,12 +6,12 @@ from typing import Any, Tuple
 
 import numpy as np
 import torch as _torch  # type: ignore[import]
-from torch.autograd.function import once_differentiable
 
 from . import _core, _queries
 from ._hints import hinting
 from ._queries import Kind
 
+once_differentiable = _torch.autograd.function.once_differentiable
 _CORNERS_OF_FIRST = {"edge-edge": 2, "vertex-face": 1, "point-edge": 1, "point-point": 1}
 
 
