@@ -657,6 +657,26 @@ def change_elements(rng, file, other):
     return [file]
 
 
+def change_radii(rng, file, other):
+    """A radius changes or is new, or two vertices become neighbours or are none any more."""
+    if file.kind != "mesh":
+        return None
+    head, frames = file.motion()
+    radii, near = ([words for words in head if words[0] == sort] for sort in ("radius", "near"))
+    change = rng.random()
+    if radii and change < 0.6:
+        words = rng.choice(radii)
+        words[1] = word_of(another_number(rng, value(words[1])))
+    elif near and change < 0.75:
+        head.remove(rng.choice(near))
+    else:
+        vertices = [str(v) for v in rng.sample(range(int(head[1][1])), 2)] if int(head[1][1]) > 1 else ["0", "0"]
+        new = ["radius", word_of(another_number(rng, Fraction(1, 64)))] if change < 0.85 else ["near"] + vertices
+        head.insert(rng.randrange(2, len(head) + 1), new)
+    file.set_motion(head, frames)
+    return [file]
+
+
 def change_frames(rng, file, other):
     """A frame drops, doubles or changes its place."""
     if file.kind != "mesh":
@@ -699,7 +719,7 @@ def reorder_proofs(rng, file, other):
 FILE_MUTATIONS = [change_separation_by_ulps, scale_separation, change_metric, drop_separation, add_separation,
                   move_separation, move_separation_line, use_other_file, change_kind, change_coordinate,
                   change_curved_rows, drop_step, drop_step_line, double_step, swap_steps, drop_pair, double_pair, swap_pairs, move_pair, empty_step,
-                  add_fixed, drop_fixed, change_elements, change_frames, truncate_proofs, reorder_proofs]
+                  add_fixed, drop_fixed, change_elements, change_radii, change_frames, truncate_proofs, reorder_proofs]
 MUTATIONS = PROOF_MUTATIONS + FILE_MUTATIONS
 
 

@@ -3,7 +3,7 @@
 # says what touchstone-check says of changed motions and of changed proofs, refuses another file than the one that the
 # proofs name, and prints nothing then. With wrong boxes it accepts no proofs that leave out pairs.
 #
-#   same_motions.sh PROGRAM CHECKER PROVED THEORIES OCAMLFIND SORT     SORT: straight, bodies or boxes
+#   same_motions.sh PROGRAM CHECKER PROVED THEORIES OCAMLFIND SORT     SORT: straight, radii, bodies or boxes
 #
 # THEORIES is the folder of the checker's OCaml, compiled. All of them are absolute paths.
 # SPDX-License-Identifier: MIT
@@ -58,8 +58,7 @@ case $sort in
     prove_mesh cables meshes/cables/frame-000[0-4].obj
     prove_mesh sheets --separation 0.02 meshes/sheets/frame-000[0-2].obj
     prove_mesh max --separation 0.02 --metric max meshes/cables/frame-000[0-2].obj
-    "$program" simulate hoop --steps 5 --prove hoop >/dev/null
-    both_check 900 cloth cables sheets max hoop
+    both_check 700 cloth cables sheets max
 
     # The digests, of a motion and of queries; and several files.
     cloth=(cloth/proofs.txt cloth/motion.txt)
@@ -85,6 +84,48 @@ case $sort in
     grep -v point far.txt >bare.txt
     both_end_with 2 'there is nothing to check' --allow-empty nothing.txt bare.txt
     ;;
+  radii)
+    # A hoop, and a sphere on a cable with segments shorter than its radius.
+    cat >scene.json <<'END'
+{"touchstone_scene": 1, "particles": [
+  {"position": [0, 0, 0], "pinned": true}, {"position": [0.25, 0, 0]}, {"position": [0.5, 0, 0]},
+  {"position": [0.75, 0, 0]}, {"position": [1, 0, 0], "pinned": true},
+  {"position": [0.5, 0.1, 0.875], "mass": 1, "radius": 0.5}],
+ "cables": [{"particles": [0, 1, 2, 3, 4], "radius": 0.25, "solid": true, "density": 1000, "young": 1e6}]}
+END
+    "$program" simulate scene.json --steps 20 --prove cable >/dev/null
+    "$program" simulate hoop --steps 5 --prove hoop >/dev/null
+    grep -q '^near ' cable/motion.txt
+    both_check 400 cable hoop
+
+    # Longer radii ask for more than the proofs show, shorter ones for fewer proofs; and other faults.
+    sed 's/^\(file mesh\) [^ ]*/\1 -/' cable/proofs.txt >unbound.txt
+    refuse_changed() { # STATUS REASON SED: the motion of the cable, changed
+      sed "$3" cable/motion.txt >changed.txt
+      ! cmp -s cable/motion.txt changed.txt || { echo "no effect: $3"; exit 1; }
+      both_end_with "$1" "$2" unbound.txt changed.txt
+    }
+    refuse_changed 1 rejected 's/^radius 0x1p-1$/radius 1/'
+    refuse_changed 1 'a proof too many' 's/^radius .*/radius 0/'
+    refuse_changed 1 rejected '/^near /d'
+    refuse_changed 2 'a radius must not be negative' 's/^radius 0x1p-1$/radius -1/'
+    refuse_changed 2 'changed.txt:' 's/^near 0 1$/near 1 1/'
+    refuse_changed 2 'changed.txt:' 's/^near 0 2$/near 1 0/'
+    { head -n 1 unbound.txt; echo 'separation max 1'; tail -n +2 unbound.txt; } >another.txt
+    both_end_with 1 'has the separations of its own' another.txt cable/motion.txt
+
+    # 1 + 2^-1100 is rounded up to the next double after 1.
+    one=0x1.0000000000001p0
+    motion_at() { # X: two points at this distance
+      printf '%s\n' 'touchstone-motion 1' 'vertices 2' 'radius 0x1p-1100' 'point 0' 'radius 1' 'point 1' \
+        frame '0 0 0' "$1 0 0" frame '0 0 0' "$1 0 0"
+    }
+    motion_at "$one" >near.txt
+    motion_at 0x1.00000000000011p0 >far.txt
+    printf '%s\n' 'touchstone-proofs 1' 'file mesh - f' 'step 0' '0 contact 0 0' 'w 0 1' 'w 1 1' 'end 1 1' >meet.txt
+    both_accept meet.txt near.txt
+    both_end_with 1 rejected meet.txt far.txt
+    ;;
   bodies)
     "$program" simulate link-chain --size 3 --steps 152 --checkpoint chain.json >/dev/null
     "$program" simulate --resume chain.json --steps 4 --prove chain >/dev/null
@@ -96,10 +137,12 @@ case $sort in
   boxes)
     "$program" generate --meshes --scene sheets --size 150 --out meshes >/dev/null
     prove_mesh sheets --separation 0.02 meshes/sheets/frame-000[0-2].obj
-    honest=(sheets/proofs.txt sheets/motion.txt)
-    # The same motion, as if no pair needed a proof.
-    { grep -E '^(touchstone|separation|file|step)' "${honest[0]}"; echo 'end 0 0'; } >none.txt
-    both_end_with 1 rejected --allow-empty none.txt "${honest[1]}"
+    "$program" simulate hoop --steps 1 --prove hoop >/dev/null
+    # The same motions, as if no pair needed a proof.
+    for name in sheets hoop; do
+      { grep -E '^(touchstone|separation|file|step)' "$name/proofs.txt"; echo 'end 0 0'; } >"$name/none.txt"
+      both_end_with 1 rejected --allow-empty "$name/none.txt" "$name/motion.txt"
+    done
     cp "$theories"/*.{ml,cm*,o} .
     rebuilt() { # SED: the checker with another boxes.ml
       sed "$1" "$theories/boxes.ml" >boxes.ml
@@ -107,12 +150,14 @@ case $sort in
       "$ocamlfind" ocamlopt -package zarith -linkpkg {proved,sha256,text,hints,meshes}.cmx boxes.ml reader.ml -o rebuilt
     }
     rebuilt ''
-    ./rebuilt "${honest[@]}" >/dev/null
+    for name in sheets hoop; do ./rebuilt "$name/proofs.txt" "$name/motion.txt" >/dev/null; done
     while IFS= read -r fault; do
       rebuilt "$fault"
-      status=0
-      ./rebuilt --allow-empty none.txt "${honest[1]}" >/dev/null 2>reason.txt || status=$?
-      [[ $status == 1 ]] || { echo "status $status with $fault"; cat reason.txt; exit 1; }
+      for name in sheets hoop; do
+        status=0
+        ./rebuilt --allow-empty "$name/none.txt" "$name/motion.txt" >/dev/null 2>reason.txt || status=$?
+        [[ $status == 1 ]] || { echo "status $status of $name with $fault"; cat reason.txt; exit 1; }
+      done
       echo "$fault: $(tail -c 60 reason.txt)"
     done <<'END'
 s/and until k = Z.add margin (\(.*\)) in/and until k = \1 in/
@@ -123,10 +168,12 @@ s/box_unit = Z.shift_left Z.one (- low)/box_unit = Z.minus_one/
 s/box_unit = Z.shift_left Z.one (- low)/box_unit = Z.one/
 s/Entry (Z.of_int v, u, h/Entry (Z.of_int (v + 1), u, h/
 s/balanced 0 (Array.length corners)/Nothing/
+s/all_near = m.radii = None/all_near = true/
+s/lowest (min 0 m.finest) reach/lowest 0 reach/
 END
     ;;
   *)
-    echo "same_motions.sh: '$sort' is none of straight, bodies and boxes" >&2
+    echo "same_motions.sh: '$sort' is none of straight, radii, bodies and boxes" >&2
     exit 2
     ;;
 esac

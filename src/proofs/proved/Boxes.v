@@ -73,19 +73,34 @@ Qed.
 Lemma reach_axis s n : dot n n = 1 -> Rabs (px n) + Rabs (py n) + Rabs (pz n) = 1 -> reach s n = size s.
 Proof. intros E A. destruct s; simpl; rewrite ?E, ?A, ?sqrt_1; ring. Qed.
 
+(* A negative separation is that of no two points. *)
+Lemma negative_not_near s v : size s < 0 -> ~ near s v.
+Proof.
+  destruct s as [|D|D]; simpl; intros N; [lra | |].
+  - pose proof (sqrt_pos (dot v v)). lra.
+  - intros [H _]. pose proof (Rabs_pos (px v)). lra.
+Qed.
+
+(* Boxes for a g that is less by k. *)
+Definition shrink (k : Z) (b : box) : box := Box (lx b) (ly b) (lz b) (rx b - k) (ry b - k) (rz b - k).
+Lemma inside_shrink U g k b a : inside_box U g b a -> inside_box U (g - k) (shrink k b) a.
+Proof. unfold inside_box, shrink; cbn [lx ly lz rx ry rz]. rewrite !minus_IZR. lra. Qed.
+
 (* Boxes that are farther apart than g along an axis. *)
 Definition far (a b : box) : bool :=
   Z.ltb (rx a) (lx b) || Z.ltb (rx b) (lx a) || Z.ltb (ry a) (ly b) || Z.ltb (ry b) (ly a)
   || Z.ltb (rz a) (lz b) || Z.ltb (rz b) (lz a).
-Theorem far_no_contact q a b U g t : not_negative (apart q) -> 0 < IZR U -> IZR U * size (apart q) <= IZR g ->
+Theorem far_no_contact q a b U g t : 0 < IZR U -> IZR U * size (apart q) <= IZR g ->
   (forall c, In c (first q) -> inside_box U g a (position c t)) ->
   (forall c, In c (second q) -> inside_box U g b (position c t)) -> far a b = true -> ~ in_contact q t.
 Proof.
-  intros N P G A B F.
+  intros P G A B F. destruct (Rlt_le_dec (size (apart q)) 0) as [S|S].
+  { intros (x & y & _ & _ & H). now apply negative_not_near in H. }
+  assert (N : not_negative (apart q)) by (destruct (apart q); simpl in *; auto).
   assert (axis : forall n, dot n n = 1 -> Rabs (px n) + Rabs (py n) + Rabs (pz n) = 1 ->
     (forall c d, In c (first q) -> In d (second q) -> IZR g < IZR U * (dot n (position d t) - dot n (position c t))) ->
     ~ in_contact q t).
-  { intros n E S H. apply apart_no_contact with n; [exact N|]. intros c d C D. rewrite (reach_axis _ _ E S).
+  { intros n E O H. apply apart_no_contact with n; [exact N|]. intros c d C D. rewrite (reach_axis _ _ E O).
     specialize (H c d C D). apply Rmult_lt_reg_l with (IZR U); lra. }
   assert (one : Rabs 1 = 1) by apply Rabs_R1. assert (zero : Rabs 0 = 0) by apply Rabs_R0.
   assert (minus_one : Rabs (-1) = 1) by (rewrite Rabs_left; lra).

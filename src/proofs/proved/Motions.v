@@ -1,6 +1,6 @@
 (* The checker of a step of a motion, and the theorem. *)
 (* SPDX-License-Identifier: MIT *)
-From Coq Require Import ZArith QArith Qreals Reals Lra Lia List Bool.
+From Coq Require Import ZArith QArith Qminmax Qreals Reals Lra Lia List Bool.
 From Touchstone Require Import Statement Polynomials Geometry Checker Boxes Trees Wires.
 Import ListNotations.
 Open Scope R_scope.
@@ -12,8 +12,9 @@ Fixpoint find (v : Z) (p : lookup) : option summary :=
   | Nothing => None
   | Entry w _ _ s l r => match Z.compare v w with Eq => Some s | Lt => find v l | Gt => find v r end
   end.
-(* The boxes are U times the coordinates. *)
-Record hints := Hints { box_unit : Z; summaries : lookup }.
+(* The boxes are U times the coordinates. If `all_near`, the pairs whose boxes are near by `most` need a proof; else
+   those whose boxes are near by their own separation. *)
+Record hints := Hints { box_unit : Z; summaries : lookup; all_near : bool }.
 
 Definition is_true (m : mesh) (c : corner) (U g v u h : Z) (s : summary) : bool :=
   box_holds U g u h (extent s) c && (negb (still s) || fixed m v)
@@ -101,12 +102,14 @@ Definition of_sort (s : sort) (test : simplex * simplex -> bool) (l : pairs) (fo
   let p_of p := match s with Two_edges | Two_points => in_order p | _ => p end in
   fold_left (fun found p => if separate p && test p then (s, fst (p_of p), snd (p_of p)) :: found else found) l found.
 
-Definition near_pairs (m : mesh) : (Z -> corner) -> hints -> option (list pair) :=
+(* The pairs that need a proof: g is a bound for all separations. *)
+Definition reach_margin (m : mesh) (h : hints) : Z := margin (box_unit h) (Euclidean (most m)).
+Definition pairs_in_reach (m : mesh) : (Z -> corner) -> hints -> option (list pair) :=
   let w := wiring_of m in
   fun corner_of h =>
-    let U := box_unit h in
     let p := summaries h in
-    if Z.ltb 0 U && is_valid (asked m) && are_true m corner_of U (margin U (asked m)) p then
+    if Z.ltb 0 (box_unit h) && is_valid (Euclidean (most m))
+       && are_true m corner_of (box_unit h) (reach_margin m h) p then
       match tree_of p (points m), tree_of p (edges m), tree_of p (faces m), tree_of p (alone w), tree_of p (ends w),
             tree_of p (wires w) with
       | Some points, Some edges, Some faces, Some alone, Some ends, Some wires =>
@@ -119,6 +122,21 @@ Definition near_pairs (m : mesh) : (Z -> corner) -> hints -> option (list pair) 
       | _, _, _, _, _, _ => None
       end
     else None.
+Definition is_near (m : mesh) (h : hints) (p : pair) : bool :=
+  let '(s, a, b) := p in
+  match summary_of (summaries h) (vertices a), summary_of (summaries h) (vertices b) with
+  | Some x, Some y =>
+      let k := (reach_margin m h - margin (box_unit h) (separation_of m s a b))%Z in
+      negb (far (shrink k (extent x)) (shrink k (extent y)))
+  | _, _ => true
+  end.
+Definition near_pairs (m : mesh) : (Z -> corner) -> hints -> option (list pair) :=
+  let in_reach := pairs_in_reach m in
+  fun corner_of h =>
+    match in_reach corner_of h with
+    | Some found => Some (if all_near h then found else kept (is_near m h) found)
+    | None => None
+    end.
 
 Lemma of_sort_keeps s test l : forall found, incl found (of_sort s test l found).
 Proof.
@@ -143,16 +161,30 @@ Proof.
   - specialize (H v V). apply negb_true_iff in H. rewrite <- mem_in. congruence.
   - apply negb_true_iff. destruct (mem v (vertices b)) eqn:E; [|auto]. apply mem_in in E. now destruct (H v V).
 Qed.
-Theorem near_pairs_complete m corner_of h found : near_pairs m corner_of h = Some found ->
+Lemma separation_of_size m s a b : 0 <= Q2R (most m) -> size (separation_of m s a b) <= Q2R (most m).
+Proof.
+  intros P. assert (M : forall D, Q2R (Qmin D (most m)) <= Q2R (most m)) by (intros; apply Qle_Rle, Q.le_min_r).
+  unfold separation_of. destruct s, (asked m a b); simpl; auto.
+Qed.
+Lemma in_reach_true m corner_of h found : pairs_in_reach m corner_of h = Some found ->
+  0 < IZR (box_unit h) /\ 0 <= Q2R (most m)
+  /\ are_true m corner_of (box_unit h) (reach_margin m h) (summaries h) = true.
+Proof.
+  unfold pairs_in_reach. cbv zeta. intros E.
+  destruct (Z.ltb 0 (box_unit h) && is_valid (Euclidean (most m))
+    && are_true m corner_of (box_unit h) (reach_margin m h) (summaries h)) eqn:V; [|discriminate].
+  rewrite !andb_true_iff in V. destruct V as [[L N] T]. apply is_valid_sound in N. now apply Z.ltb_lt, IZR_lt in L.
+Qed.
+Lemma in_reach_complete m corner_of h found : pairs_in_reach m corner_of h = Some found ->
   forall s a b, are_pair m s a b -> can_meet m corner_of a b ->
   In (s, a, b) found \/ holds (query_of m corner_of s a b) No_contact.
 Proof.
-  intros E s a b P C. unfold near_pairs in E. cbv zeta in E.
-  set (U := box_unit h) in *. set (g := margin U (asked m)) in *. set (p := summaries h) in *.
+  intros E s a b P C. destruct (in_reach_true m corner_of h found E) as (L & N & T).
+  unfold pairs_in_reach in E. cbv zeta in E.
+  set (U := box_unit h) in *. set (g := reach_margin m h) in *. set (p := summaries h) in *.
   set (w := wiring_of m) in *.
-  destruct (Z.ltb 0 U && is_valid (asked m) && are_true m corner_of U g p) eqn:V; [|discriminate].
-  rewrite !andb_true_iff in V. destruct V as [[L N] T]. apply Z.ltb_lt, IZR_lt in L. apply is_valid_sound in N.
-  pose proof (margin_sound U (asked m)) as G. fold g in G.
+  destruct (Z.ltb 0 U && is_valid (Euclidean (most m)) && are_true m corner_of U g p); [|discriminate].
+  assert (G : IZR U * Q2R (most m) <= IZR g) by apply (margin_sound U (Euclidean (most m))).
   destruct (tree_of p (points m)) as [tp|] eqn:Tp; [|discriminate].
   destruct (tree_of p (edges m)) as [te|] eqn:Te; [|discriminate].
   destruct (tree_of p (faces m)) as [tf|] eqn:Tf; [|discriminate].
@@ -160,10 +192,9 @@ Proof.
   destruct (tree_of p (ends w)) as [tn|] eqn:Tn; [|discriminate].
   destruct (tree_of p (wires w)) as [tw|] eqn:Tw; [|discriminate]. injection E as <-.
   assert (K : skipped m corner_of U g a b -> holds (query_of m corner_of s a b) No_contact).
-  { intros S. unfold query_of. apply (skipped_no_contact m corner_of U g a b); auto.
-    - destruct s; simpl; auto.
-    - destruct s; simpl; try exact G. assert (0 <= IZR U * size (asked m)); [|lra].
-      apply Rmult_le_pos; [lra|]. destruct (asked m); simpl in *; lra. }
+  { intros S. apply (skipped_no_contact m corner_of U g a b); auto.
+    pose proof (separation_of_size m s a b N). apply Rle_trans with (IZR U * Q2R (most m)); [|exact G].
+    apply Rmult_le_compat_l; lra. }
   assert (S : separate (a, b) = true) by (apply separate_sym, C).
   assert (S' : separate (b, a) = true) by (apply separate_sym; intros v V W; now apply (proj1 C v W)).
   assert (two : forall A B x y test, tree_of p A = Some x -> tree_of p B = Some y -> In a A -> In b B ->
@@ -202,6 +233,26 @@ Proof.
   - destruct (fold_complete m a b P) as (A & B & J).
     destruct (two _ _ _ _ (fun p => are_joined w (fst p) (snd p)) Tn Tw A B); auto; try discriminate.
     left. do 4 apply of_sort_keeps. auto.
+Qed.
+Theorem near_pairs_complete m corner_of h found : near_pairs m corner_of h = Some found ->
+  forall s a b, are_pair m s a b -> can_meet m corner_of a b ->
+  In (s, a, b) found \/ holds (query_of m corner_of s a b) No_contact.
+Proof.
+  unfold near_pairs. cbv zeta. intros E s a b P C.
+  destruct (pairs_in_reach m corner_of h) as [all|] eqn:A; [|discriminate]. injection E as <-.
+  destruct (in_reach_complete m corner_of h all A s a b P C) as [I|I]; [|now right].
+  destruct (all_near h); [now left|]. destruct (is_near m h (s, a, b)) eqn:F; [left; now apply kept_in | right].
+  destruct (in_reach_true m corner_of h all A) as (L & _ & T). unfold is_near in F.
+  destruct (summary_of (summaries h) (vertices a)) as [x|] eqn:X; [|discriminate].
+  destruct (summary_of (summaries h) (vertices b)) as [y|] eqn:Y; [|discriminate].
+  cbv zeta in F. apply negb_false_iff in F. set (k := (reach_margin m h - _)%Z) in F. intros t I'.
+  apply far_no_contact with (shrink k (extent x)) (shrink k (extent y)) (box_unit h) (reach_margin m h - k)%Z; auto.
+  - replace (reach_margin m h - k)%Z with (margin (box_unit h) (separation_of m s a b)) by (unfold k; lia).
+    apply margin_sound.
+  - intros c J. apply in_map_iff in J as (v & <- & J). apply inside_shrink.
+    apply (summary_of_is_of m corner_of _ _ _ T _ x X v J); auto.
+  - intros c J. apply in_map_iff in J as (v & <- & J). apply inside_shrink.
+    apply (summary_of_is_of m corner_of _ _ _ T _ y Y v J); auto.
 Qed.
 
 (* Answers with proofs for the pairs, in the order of their list. *)

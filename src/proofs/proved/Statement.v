@@ -1,11 +1,8 @@
 (* What an accepted proof says. Nothing else has to be read to know it, so docs/proved.md shows this file. *)
 (* SPDX-License-Identifier: MIT *)
-From Coq Require Import QArith Qreals Reals List.
-Import ListNotations.
-Open Scope R_scope.
+From Coq Require Import QArith Qminmax Qreals Reals List. Import ListNotations. Open Scope R_scope.
 
-(* Points of space, or vectors. *)
-Record point := Point { px : R; py : R; pz : R }.
+Record point := Point { px : R; py : R; pz : R }.  (* of space; or a vector *)
 Definition plus (a b : point) : point := Point (px a + px b) (py a + py b) (pz a + pz b).
 Definition minus (a b : point) : point := Point (px a - px b) (py a - py b) (pz a - pz b).
 Definition scale (k : R) (a : point) : point := Point (k * px a) (k * py a) (k * pz a).
@@ -61,13 +58,11 @@ Definition element (corners : list corner) (t : R) : list point := map (fun c =>
 Definition in_contact (q : query) (t : R) : Prop :=
   exists x y, in_hull (element (first q) t) x /\ in_hull (element (second q) t) y /\ near (apart q) (minus y x).
 
-(* The doubles that are not negative. *)
-Definition is_double (x : R) : Prop :=
+Definition is_double (x : R) : Prop :=  (* and not negative *)
   exists m k, (0 <= m < 2 ^ 53)%Z /\ (k <= 1074)%Z /\ x = IZR m / powerRZ 2 k.
 
-(* The three answers, and what they mean. *)
 Inductive answer := No_contact | Contact_at (T : Q) | Contact_between (T U : Q).
-Definition holds (q : query) (a : answer) : Prop :=
+Definition holds (q : query) (a : answer) : Prop :=  (* what the answers mean *)
   match a with
   | No_contact => forall t, 0 <= t <= 1 -> ~ in_contact q t
   | Contact_at T =>
@@ -78,11 +73,12 @@ Definition holds (q : query) (a : answer) : Prop :=
       /\ exists t, Q2R T < t < Q2R U /\ in_contact q t
   end.
 
-(* One step of a motion of a mesh. Vertices are numbers; `corner_of` gives the corner of each. Elements have an index
-   among those of their sort. A wire is an edge of no face. In a fold another wire joins a point to a wire. *)
+(* One step of a motion of a mesh. `corner_of` gives the corner of each vertex, a number. Elements have an index among
+   those of their sort. A wire is an edge of no face. In a fold another wire joins a point to a wire. A fold has the
+   separation zero, other pairs have the one that is asked, or `most` if that is less. *)
 Record simplex := Simplex { index : Z; vertices : list Z }.
 Record mesh := Mesh { points : list simplex; edges : list simplex; faces : list simplex; fixed : Z -> bool;
-                      asked : separation }.
+                      asked : simplex -> simplex -> separation; most : Q }.
 Definition disjoint (a b : simplex) : Prop := forall v, In v (vertices a) -> ~ In v (vertices b).
 Definition lone m p : Prop := In p (points m) /\ forall e, In e (edges m) -> disjoint p e.
 Definition wire m e : Prop := In e (edges m) /\ forall f, In f (faces m) -> ~ incl (vertices e) (vertices f).
@@ -99,8 +95,12 @@ Definition are_pair (m : mesh) (s : sort) (a b : simplex) : Prop :=
 Definition can_meet m (corner_of : Z -> corner) a b : Prop :=
   disjoint a b /\ ~ (forall v, In v (vertices a ++ vertices b) -> fixed m v = true)
   /\ ~ exists n, forall v, In v (vertices a ++ vertices b) -> exists x y, corner_of v = On_body n x y.
+Definition separation_of (m : mesh) (s : sort) (a b : simplex) : separation :=
+  match s, asked m a b with
+  | Fold, _ | _, Zero => Zero | _, Euclidean D => Euclidean (Qmin D (most m)) | _, Max D => Max (Qmin D (most m))
+  end.
 Definition query_of (m : mesh) (corner_of : Z -> corner) (s : sort) (a b : simplex) : query :=
-  Query (map corner_of (vertices a)) (map corner_of (vertices b)) (match s with Fold => Zero | _ => asked m end).
+  Query (map corner_of (vertices a)) (map corner_of (vertices b)) (separation_of m s a b).
 
 (* The answers hold, and the pairs without an answer are not in contact. *)
 Definition step_holds m corner_of (answers : list (sort * simplex * simplex * answer)) : Prop :=

@@ -135,11 +135,11 @@ Proof.
   unfold skip, rigid, far, same_carrier in *. rewrite !orb_true_iff, !andb_true_iff in *.
   destruct (carrier s) as [n|], (carrier s') as [k|]; try rewrite Z.eqb_sym; tauto.
 Qed.
-Lemma skipped_no_contact a b s : 0 < IZR U -> not_negative s -> IZR U * size s <= IZR g ->
+Lemma skipped_no_contact a b s : 0 < IZR U -> IZR U * size s <= IZR g ->
   skipped a b -> can_meet m corner_of a b ->
   holds (Query (map corner_of (vertices a)) (map corner_of (vertices b)) s) No_contact.
 Proof.
-  intros P N G (x & y & A & B & S) (_ & moves & turns). unfold skip, rigid in S.
+  intros P G (x & y & A & B & S) (_ & moves & turns). unfold skip, rigid in S.
   rewrite !orb_true_iff, andb_true_iff in S. destruct S as [F|[[S S']|C]].
   - intros t T. apply far_no_contact with (extent x) (extent y) U g; auto; simpl; intros c I;
       apply in_map_iff in I as (v & <- & I); [apply (A v I) | apply (B v I)]; auto.

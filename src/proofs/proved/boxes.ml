@@ -38,13 +38,12 @@ let reaches m corners =
 
 (* The boxes of all vertices, and what else is known of them. *)
 let hints m corners =
-  let { asked = apart; fixed; _ } = m.mesh and reach = reaches m corners in
-  let distance = match apart with Zero -> (Z.zero, 0) | Euclidean d | Max d -> (d.qnum, 1 - Z.numbits d.qden) in
+  let { most; fixed; _ } = m.mesh and reach = reaches m corners in
   let lower low (_, e) = min low e in
   let lowest low r = Array.fold_left (fun low (a, b) -> lower (lower low a) b) low r in
-  let low = Array.fold_left lowest (min 0 (snd distance)) reach in
+  let low = Array.fold_left lowest (min 0 m.finest) reach in
   let scaled (m, e) = Z.shift_left m (e - low) in
-  let margin = scaled distance in
+  let margin = scaled (most.qnum, 1 - Z.numbits most.qden) in
   let rec balanced first last =
     if first = last then Nothing
     else
@@ -55,7 +54,7 @@ let hints m corners =
       let carrier = match corners.(v) with On_body (n, _, _) -> Some n | On_curve _ -> None in
       let known = { extent; still = fixed (Z.of_int v); carrier } in
       Entry (Z.of_int v, u, h, known, balanced first v, balanced (v + 1) last) in
-  { box_unit = Z.shift_left Z.one (- low); summaries = balanced 0 (Array.length corners) }
+  { box_unit = Z.shift_left Z.one (- low); summaries = balanced 0 (Array.length corners); all_near = m.radii = None }
 
 (* A key for each element: in the order of their keys neighbours are near each other. Those of a body come together. *)
 let keys m elements =

@@ -5,14 +5,19 @@ open Text
 
 (* The numbers of each body's pose, and of each vertex; a vertex on a body has none. *)
 type frame = { poses : (Z.t * int) array array; rows : (Z.t * int) array array }
-(* A motion in the step from one frame to the next one; `line` is the one after them. *)
+(* The radii of elements by their number of vertices and their index, each with its word; and pairs of vertices. *)
+type radii = { lengths : (int * Z.t, (Z.t * int) * string) Hashtbl.t; near : (int * int, unit) Hashtbl.t }
+(* A motion in the step from one frame to the next one; `line` is the one after them.
+   All separations are multiples of 2^finest. *)
 type motion = { f : lines; size : int; mesh : mesh; on_bodies : (int, int * rational_point) Hashtbl.t; bodies : int;
-                fixed_vertices : int; frames : int; before : frame; after : frame; line : string list }
+                radii : radii option; finest : int; fixed_vertices : int; frames : int; before : frame; after : frame;
+                line : string list }
 
 let most = 1 lsl 30 - 1
-(* The elements of each sort, the lines of single vertices, the points of bodies, and the line after them. *)
+(* The elements of each sort, the lines of single vertices, the points of bodies, the radii, and the line after them. *)
 let read_elements f size =
   let lines = Hashtbl.create 64 and on_bodies = Hashtbl.create 64 in
+  let lengths = Hashtbl.create 64 and near = Hashtbl.create 64 and radius = ref None in
   let vertex word =
     let v = count f most word in
     if v < size then v else bad f (Printf.sprintf "here must be a vertex below %d" size) in
@@ -25,6 +30,7 @@ let read_elements f size =
     let vertices = List.map vertex words in
     if List.length (List.sort_uniq compare vertices) < List.length words then bad f "an element has a vertex twice";
     let index = match all with [] -> Z.zero | e :: _ -> Z.succ e.index in
+    Option.iter (Hashtbl.add lengths (List.length vertices, index)) !radius;
     { index; vertices = List.map Z.of_int vertices } :: all in
   let rec read points edges faces fixed = match words f with
     | ["point"; v] -> ignore (once "point" v); read (added [v] points) edges faces fixed
@@ -35,8 +41,21 @@ let read_elements f size =
       let v = once "body" v and coordinate word = rational (number f word) in
       Hashtbl.add on_bodies v (count f (most - 1) b, { qx = coordinate x; qy = coordinate y; qz = coordinate z });
       read points edges faces fixed
-    | ["frame"] | [] as line -> (List.rev points, List.rev edges, List.rev faces, fixed, on_bodies, line)
-    | _ -> bad f "here must be a line of a point, an edge, a face, a fixed vertex or one on a body, or \"frame\"" in
+    | ["radius"; word] ->
+      let length = number f word in
+      if Z.sign (fst length) < 0 then bad f "a radius must not be negative";
+      radius := Some (length, word);
+      read points edges faces fixed
+    | ["near"; v; w] ->
+      let v = vertex v and w = vertex w in
+      if v = w || Hashtbl.mem near (min v w, max v w) then bad f "here must be two vertices that are not near yet";
+      Hashtbl.add near (min v w, max v w) ();
+      read points edges faces fixed
+    | ["frame"] | [] as line ->
+      let radii = if !radius = None then None else Some { lengths; near } in
+      (List.rev points, List.rev edges, List.rev faces, fixed, on_bodies, radii, line)
+    | _ -> bad f "here must be a line of a point, an edge, a face, a fixed vertex, one on a body, a radius or two \
+                  vertices that are near, or \"frame\"" in
   read [] [] [] []
 
 (* The frame whose first line is `m.line` becomes the one after the step. What is fixed has the same numbers in it. *)
@@ -58,22 +77,41 @@ let read_frame is_still m =
   let (rows, line) = read "vertex" 3 m.size is_free is_fixed m.after.rows 0 line [] in
   { m with before = m.after; after = { poses; rows }; frames = m.frames + 1; line }
 
+(* The separation of two elements: the sum of their radii, rounded up; zero for neighbours. *)
+let sum_of_radii { lengths; near } a b =
+  let radius e = match Hashtbl.find_opt lengths (List.length e.vertices, e.index) with
+    | Some (length, _) -> length
+    | None -> (Z.zero, 0) in
+  let are_near v w = Hashtbl.mem near (Z.to_int (Z.min v w), Z.to_int (Z.max v w)) in
+  if List.exists (fun v -> List.exists (are_near v) b.vertices) a.vertices then Zero
+  else
+    let d = rational (rounded_up (sum (radius a) (radius b))) in
+    if Z.sign d.qnum = 0 then Zero else Euclidean d
+
 (* @returns the motion in its first step, and the function that leads to the next one: None after the last one *)
-let opened_motion name asked =
+let opened_motion name apart =
   let f = opened name in
   if words f <> ["touchstone-motion"; "1"] then bad f "the first line must be \"touchstone-motion 1\"";
   let size = match words f with ["vertices"; n] -> count f most n | _ -> bad f "here must be \"vertices N\"" in
-  let (points, edges, faces, all_fixed, on_bodies, line) = read_elements f size in
+  let (points, edges, faces, all_fixed, on_bodies, radii, line) = read_elements f size in
   let fixed = Hashtbl.create 64 and still = Hashtbl.create 64 in
   let rest v =
     Hashtbl.replace fixed v ();
     Option.iter (fun (b, _) -> Hashtbl.replace still b ()) (Hashtbl.find_opt on_bodies v) in
   List.iter rest all_fixed;
   let bodies = Hashtbl.fold (fun _ (b, _) n -> max (b + 1) n) on_bodies 0 in
-  let mesh = { points; edges; faces; fixed = (fun v -> Hashtbl.mem fixed (Z.to_int v)); asked } in
+  let (asked, (m, e), finest) = match radii, apart with
+    | Some radii, _ ->
+      let greater _ (x, _) y = if compared x y > 0 then x else y in
+      let r = Hashtbl.fold greater radii.lengths (Z.zero, 0) in
+      (sum_of_radii radii, rounded_up (sum r r), Hashtbl.fold (fun _ ((_, e), _) e' -> min e e') radii.lengths 0)
+    | None, Zero -> ((fun _ _ -> apart), (Z.zero, 0), 0)
+    | None, (Euclidean d | Max d) -> let e = 1 - Z.numbits d.qden in ((fun _ _ -> apart), (d.qnum, e), e) in
+  let fixed v = Hashtbl.mem fixed (Z.to_int v) in
+  let mesh = { points; edges; faces; fixed; asked; most = rational (m, e) } in
   let none = { poses = [||]; rows = [||] } in
-  let m = { f; size; mesh; on_bodies; bodies; fixed_vertices = List.length all_fixed; frames = 0; before = none;
-            after = none; line } in
+  let m = { f; size; mesh; on_bodies; bodies; radii; finest; fixed_vertices = List.length all_fixed; frames = 0;
+            before = none; after = none; line } in
   let read = read_frame (Hashtbl.mem still) in
   (read (read m), fun m -> if m.line = [] then None else Some (read m))
 
@@ -120,9 +158,19 @@ let contents m =
   let some n text = if n = 0 then [] else [text] in
   let on_bodies = Hashtbl.length m.on_bodies and corners = Hashtbl.length corners and sides = Hashtbl.length sides in
   let elements l name = counted (List.length l) name (name ^ "s") in
+  let with_radii { lengths; near } =
+    let of_sort = List.filter_map (fun e -> Hashtbl.find_opt lengths (List.length e.vertices, e.index)) in
+    let above = List.filter (fun ((m, _), _) -> Z.sign m > 0) (List.concat_map of_sort [points; edges; faces]) in
+    let first sign = List.fold_left (fun (x, w) (y, v) -> if sign * compared y x > 0 then (y, v) else (x, w)) in
+    let from = match above with
+      | [] -> ""
+      | one :: rest -> Printf.sprintf " from %s to %s" (snd (first (-1) one rest)) (snd (first 1 one rest)) in
+    (counted (List.length above) "element" "elements" ^ " with radii" ^ from)
+    :: some (Hashtbl.length near) (counted (Hashtbl.length near) "pair of neighbours" "pairs of neighbours") in
   String.concat ", "
     ([counted m.frames "frame" "frames"; counted m.size "vertex" "vertices"; elements points "point";
       elements edges "edge"; elements faces "face"]
+     @ Option.fold ~none:[] ~some:with_radii m.radii
      @ some m.fixed_vertices (counted m.fixed_vertices "fixed vertex" "fixed vertices")
      @ some m.bodies (counted on_bodies "vertex" "vertices" ^ " on " ^ counted m.bodies "body" "bodies")
      @ some corners (counted corners "corner is no point" "corners are no points")

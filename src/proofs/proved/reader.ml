@@ -149,6 +149,9 @@ let check_pairs f name k near holds m mesh line =
   (Array.length pairs, Array.fold_left counted_contacts 0 claims, !rest)
 let check_motion f digest name apart line =
   let (first, next) = opened_motion name apart in
+  let has_radii = first.radii <> None in
+  if has_radii && apart <> Zero then
+    reject f "before this line: a motion with radii has the separations of its own, but here is another one";
   let in_order l =  (* near elements come one after the other *)
     let elements = Array.of_list l in
     let keyed = Array.map2 (fun key e -> (key, e)) (Boxes.keys first elements) elements in
@@ -168,7 +171,9 @@ let check_motion f digest name apart line =
   if pairs = 0 && not (has_pair last) then
     raise (Bad (Printf.sprintf "%s: there is nothing to check: %s, but no two elements that share no vertex and are \
       neither all fixed nor all on one body" name contents));
-  let text separation = Printf.sprintf " in %s%s: %s%s" (counted steps "step" "steps") separation contents
+  let text separation =
+    let separation = if has_radii then " with separation euclidean, the sum of two radii" else separation in
+    Printf.sprintf " in %s%s: %s%s" (counted steps "step" "steps") separation contents
     (if pairs = 0 then "; " ^ none_near else "") in
   (pairs, contacts, line, counted pairs "mesh query" "mesh queries", text)
 

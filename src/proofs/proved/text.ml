@@ -102,6 +102,11 @@ let number f word =  (* of a proof, as m 2^e *)
   | Some x -> with_sign negative x
   | None -> bad f "here must be a number within the limits: an integer or a hexfloat such as 0x1.8p-3"
 let compared (m, e) (n, k) = Z.compare (Z.shift_left m (max (e - k) 0)) (Z.shift_left n (max (k - e) 0))
+let sum (m, e) (n, k) = (Z.add (Z.shift_left m (max (e - k) 0)) (Z.shift_left n (max (k - e) 0)), min e k)
+(* The least number m' 2^e' that is at least m 2^e, with |m'| <= 2^53 and e' >= -1074. *)
+let rounded_up (m, e) =
+  let least = max (Z.numbits m - 53 + e) (-1074) in
+  if least <= e then (m, e) else (Z.cdiv m (Z.shift_left Z.one (least - e)), least)
 let rational (m, e) =
   if e >= 0 then { qnum = Z.shift_left m e; qden = Z.one } else { qnum = m; qden = Z.shift_left Z.one (- e) }
 let time f word =
