@@ -169,6 +169,13 @@ struct FirstBodyContact {
   /// Where bodies intersect at the start; empty when that was not asked.
   std::vector<BodyIntersection> start_intersections;
 
+  /// Of the start: how many pieces of bodies (surfaces, wires, loose points) lie in the box around an open surface of
+  /// another body. It has no inside, even if it is closed but for vertices that lie on each other and are not one.
+  std::size_t in_open = 0;
+  /// And how many lie within closed surfaces of another body whose winding numbers add up to 0: as in a cavity, or in
+  /// two solids that overlap, one of which is inside out. They count as outside.
+  std::size_t cancelled = 0;
+
   /// How many pairs of bodies the rules left out.
   std::size_t excluded = 0;
 

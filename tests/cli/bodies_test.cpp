@@ -207,7 +207,8 @@ TEST_CASE("bodies: a table of poses that is wrong is refused by its row") {
   refused("time,body,x,y,z,q0,q1,q2,q3\n" + start + end, "1: no column is qw");
   refused("time,body,x,y,z,qw,qx,qy\n", "1: no column is qz");
   refused("time,body,x,y,z,qw,qx,qy,qz,q_z\n", "1: the columns 'qz' and 'q_z' both say qz");
-  refused("time;body;x;y;z;qw;qx;qy;qz\n", "1: no column is time");
+  refused("time;body;x;y;z;qw;qx;qy;qz\n", " has poses at 0 times");
+  refused("time|body|x|y|z|qw|qx|qy|qz\n", "1: no column is time");
   refused(start + end, "1: the first line names no columns, so the order of the quaternion is not known");
   refused("0,bar,0,0,0,1,0,0\n", "1: 8 columns; where no first line names the columns", {"--quaternion", "wxyz"});
   refused(header + start + end, "1: this line names the columns, and --quaternion is", {"--quaternion", "wxyz"});
@@ -217,7 +218,7 @@ TEST_CASE("bodies: a table of poses that is wrong is refused by its row") {
   const Run more = scene.run("time,body,x,y,z,qw,qx,qy,qz,vx,vy\n0,bar,-9,0,0,2,0,0,0,7,7\n1,bar,-9,0,0,1,0,0,0,a,\n");
   CHECK(more.status == 0);
   CHECK(occurrences(more.out, "; 1 quaternion has a length that is not 1, the first in row 2") == 1);
-  CHECK(occurrences(more.out, "; 2 columns of the poses were not read: vx, vy") == 1);
+  CHECK(occurrences(more.out, "; 2 columns of the poses were not read: 'vx', 'vy'") == 1);
 }
 
 TEST_CASE("bodies: files that are no two bodies are refused") {

@@ -219,7 +219,7 @@ TEST_CASE("a step ends where velocities lead, and the verdict says so") {
   check_refused(mesh({frame, "--velocity", velocity, "--dt", "1/60/2"}), "--dt: 1/60/2 has '60/2', which is no double");
   for (const auto& [name, content] : std::vector<std::pair<std::string, std::string>>{
            {"v.csv", "vx,vy,vz\n0,0,0\n0,0,0\n0,0,0\n0,0,-2\n"},
-           {"w.csv", "x;y;z\r\n0;0;0\r\n0;0;0\r\n0;0;0\r\n0;0;-2"},
+           {"w.csv", "x;y;z\r\n0;0;0\r\n0;0;0\r\n0;0;0\r\n0;0;-2\r\n"},
            {"v.txt", "# numpy.savetxt\n0.0e+00 0.0e+00 0\n0 0 0\n\n0 0 0\n0 0 -2.000000000000000000e+00\n"}}) {
     const std::string text_file = folder.write(name, content);
     const Run of_text = mesh({frame, "--velocity", text_file, "--dt", "1", "--report", folder.path("text.json")});
@@ -233,6 +233,8 @@ TEST_CASE("a step ends where velocities lead, and the verdict says so") {
            {"0,0,x\n", "x.csv:1: z is 'x', which is no finite number"},
            {"0;0,5;1\n", "x.csv:1: column 2 is '0,5'; a number has a point, such as 0.5, and no comma"},
            {"z,y,x\n0,0,0\n", "x.csv:1: column 1 is called 'z'; the columns are x, y and z"},
+           {"vz,vy,vx\n0,0,0\n", "x.csv:1: column 1 is called 'vz'; the columns are x, y and z"},
+           {"0,0,0\n0,0,-6", "x.csv:2: the last row does not end with an end of line"},
            {"0,0,0\n", "x.csv: has 1 velocities of 3 coordinates; the frame has 4 vertices of 3"}}) {
     const Run refused = mesh({frame, "--velocity", folder.write("x.csv", content), "--dt", "1"});
     CHECK(refused.status == 2);

@@ -113,6 +113,9 @@ TEST_CASE("faults of decimals are named with what would be right") {
   CHECK(error("x,y,z,w\n0,1,2,0\n").starts_with(":1: column 4 is called 'w'; the last of so many columns is truth"));
   CHECK(error("truth,x,y,z\n0,1,2,0\n") ==
         ":1: column 1 is called 'truth'; the truth stands last, behind the coordinates");
+  for (const char* const names : {"vz,vy,vx", "pos_z,pos_y,pos_x", "position_x,position_z,position_y"}) {
+    CHECK(error(names + std::string("\n0,1,2\n")).find("; the columns are x, y and z") != std::string::npos);
+  }
   CHECK(error("z,y,x\n0,1,2\n") == ":1: column 1 is called 'z'; the columns are x, y and z");
   CHECK(error("x,y\n0,1,2\n") == ":1: the line names 2 columns, and the first row has 3");
   CHECK(error("NAN,Inf,none\n").starts_with(":1: x is 'NAN'; it must be a number"));

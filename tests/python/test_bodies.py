@@ -247,7 +247,7 @@ def test_what_has_no_meaning_is_refused_with_its_place():
     assert bodies.first_contact(start, end, quaternion="wxyz").turned.tolist() == [1]
     with pytest.raises(TypeError, match=r"bodies\[1\] is of type .*Mesh; it must be a touchstone.Body"):
         ts.Bodies([bodies.bodies[0], ts.Mesh(2)])
-    for words, rules in [("the rules name body 2, and there is 2 bodies", dict(ignore=[(0, 2)])),
+    for words, rules in [("the rules name body 2, and there are 2 bodies", dict(ignore=[(0, 2)])),
                          ("the pair of body 1 with itself", dict(ignore=[(1, 1)])),
                          ("the groups of 1 bodies", dict(groups=[1])), ("-1", dict(separation=-1)),
                          ("metric is 'l1'", dict(metric="l1"))]:

@@ -184,4 +184,21 @@ TEST_CASE("a body inside another one is found at the start, and a hollow one hol
   shell.vertex_count = points.size();
   bodies.bodies[0] = Body(Mesh(shell), Positions(points));
   CHECK(first_contact(bodies, motions).free());
+  CHECK(first_contact(bodies, motions).cancelled == 1);
+  CHECK(first_contact(bodies, motions).in_open == 0);
+}
+
+TEST_CASE("a body in an open surface is counted: that has no inside") {
+  Bodies bodies;
+  const Body large = box(4, 4, 4);
+  MeshElements open = large.mesh().elements();
+  open.faces.pop_back();
+  open.edges.clear();
+  bodies.bodies = {Body(Mesh(open), Positions(large.points())), box(1, 1, 1), box(1, 1, 1)};
+  std::vector<RigidMotion> motions(3);
+  motions[2].p0.x = motions[2].p1.x = 20;
+  const FirstBodyContact found = first_contact(bodies, motions);
+  CHECK(found.free());
+  CHECK(found.in_open == 1);
+  CHECK(found.cancelled == 0);
 }

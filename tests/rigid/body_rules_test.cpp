@@ -77,7 +77,7 @@ TEST_CASE("what has no meaning for bodies is refused with its place") {
   Row row;
   const auto ask = [&] { return message_of([&] { first_contact(row.bodies, row.motions); }); };
   row.motions.pop_back();
-  CHECK(ask() == "2 motions do not fit 3 bodies (0 to 2); there must be one for each");
+  CHECK(ask() == "2 motions do not fit: there are 3 bodies (0 to 2), and each needs one");
   row.motions.emplace_back();
   row.motions[2].q1 = {0, 0, 0, 0};
   CHECK(ask() == "body 2: the quaternion q1 is zero; an orientation needs a component that is not 0");
@@ -91,7 +91,7 @@ TEST_CASE("what has no meaning for bodies is refused with its place") {
   CHECK(ask().find("-1") != std::string::npos);
   row.bodies.separation.distance = 0;
   row.bodies.rules.body_pairs = {{0, 3}};
-  CHECK(ask() == "the rules name body 3, and there is 3 bodies (0 to 2)");
+  CHECK(ask() == "the rules name body 3, and there are 3 bodies (0 to 2)");
   row.bodies.rules.body_pairs = {{1, 1}};
   CHECK(ask().find("a body is never asked about with itself") != std::string::npos);
   row.bodies.rules.body_pairs = {};
@@ -127,7 +127,7 @@ TEST_CASE("a pair of bodies' elements is described, and its query has both motio
         }) == "the pair names edge 99 of body 0, which has 18 of them");
   CHECK(message_of([&] {
           describe(row.bodies, {Kind::edge_edge, {3, 0}, {1, 0}});
-        }) == "the pair names body 3, and there is 3 bodies (0 to 2)");
+        }) == "the pair names body 3, and there are 3 bodies (0 to 2)");
 }
 
 TEST_CASE("no bodies, and bodies without elements, are free") {

@@ -86,6 +86,8 @@ void BodyResults::add(const FreeBodyStep& step, std::size_t longer) {
     if (!options_.json && shown_++ < kShownSteps) lines_ += lines_of(found);
   }
   excluded_ = found.excluded;
+  in_open_ = std::max(in_open_, found.in_open);
+  cancelled_ = std::max(cancelled_, found.cancelled);
   longer_ += longer;
   ++steps_;
 }
@@ -182,6 +184,18 @@ std::vector<std::string> BodyResults::left_out() const {
   for (std::string& text : sequence::left_out_by(files_.rules())) texts.push_back(std::move(text));
   texts.push_back(options_.check_start ? "the start was asked about intersections, too"
                                        : "whether bodies intersect at the start was not asked");
+  const auto pieces = [](std::size_t count) {
+    return grouped(count) + (count == 1 ? " surface, wire or point is" : " surfaces, wires or points are");
+  };
+  if (in_open_ > 0) {
+    texts.push_back(pieces(in_open_) +
+                    " in the box around an open surface of another body, which has no inside: --weld closes surfaces "
+                    "whose faces have vertices of their own");
+  }
+  if (cancelled_ > 0) {
+    texts.push_back(pieces(cancelled_) +
+                    " in closed surfaces of opposite orientation, which is no inside: as in a cavity");
+  }
   if (longer_ > 0) {
     const std::string turns =
         fmt::format("{} of {} turns {} the longer way by the signs of the quaternions (q0 . q1 < 0)", grouped(longer_),

@@ -48,11 +48,12 @@ class BodyResults {
   std::optional<io::OutputFile> free_step_;
 
   std::size_t steps_ = 0, free_ = 0;
-  std::size_t shown_ = 0;     ///< of the steps that are not free
-  std::string lines_;         ///< of those
-  std::string first_;         ///< what is said of the first of them in the verdict
-  std::size_t longer_ = 0;    ///< turns
-  std::size_t excluded_ = 0;  ///< pairs of bodies
+  std::size_t shown_ = 0;                    ///< of the steps that are not free
+  std::string lines_;                        ///< of those
+  std::string first_;                        ///< what is said of the first of them in the verdict
+  std::size_t longer_ = 0;                   ///< turns
+  std::size_t excluded_ = 0;                 ///< pairs of bodies
+  std::size_t in_open_ = 0, cancelled_ = 0;  ///< the most of a start, as in FirstBodyContact
 };
 
 }  // namespace touchstone::cli

@@ -98,7 +98,7 @@ class PoseReader {
       // Beside px, py and pz, a lone x is that of the quaternion w, x, y, z.
       const auto column = column_named(names[i], has_positions ? kQx : kX);
       if (!column) {
-        result_.unread.push_back(io::shortened(field));
+        result_.unread.push_back(io::in_quotes(field));
         continue;
       }
       if (index_[*column] != column_count_) {

@@ -24,10 +24,11 @@ namespace {
 
 std::string text(std::size_t number) { return std::to_string(number); }
 
-/// "12 bodies (0 to 11)".
-std::string counted(std::size_t count) {
-  if (count == 0) return "no body";
-  return count == 1 ? "1 body (number 0)" : text(count) + " bodies (0 to " + text(count - 1) + ")";
+/// "there are 12 bodies (0 to 11)".
+std::string there_are(std::size_t count) {
+  if (count == 0) return "there are no bodies";
+  if (count == 1) return "there is 1 body, number 0";
+  return "there are " + text(count) + " bodies (0 to " + text(count - 1) + ")";
 }
 
 TOUCHSTONE_BEHIND_GUARD void plant_tree(Body::Impl& body) {
@@ -59,7 +60,7 @@ TOUCHSTONE_BEHIND_GUARD void plant_tree(Body::Impl& body) {
 
 const Body::Impl& body_of(const Bodies& bodies, BodyIndex number) {
   if (number < bodies.bodies.size()) return bodies.bodies[number].impl();
-  throw InvalidMesh("the pair names body " + text(number) + ", and there is " + counted(bodies.bodies.size()));
+  throw InvalidMesh("the pair names body " + text(number) + ", and " + there_are(bodies.bodies.size()));
 }
 
 std::size_t count_of(const Mesh::Impl& mesh, MeshElement sort) noexcept {
@@ -145,7 +146,7 @@ CollidingBodies::CollidingBodies(const Bodies& bodies)
   for (const auto& pair : rules_.body_pairs) {
     for (const BodyIndex body : pair) {
       if (body < count_) continue;
-      throw InvalidQuery("the rules name body " + text(body) + ", and there is " + counted(count_));
+      throw InvalidQuery("the rules name body " + text(body) + ", and " + there_are(count_));
     }
     if (pair[0] == pair[1]) {
       throw InvalidQuery("the rules name the pair of body " + text(pair[0]) +
@@ -153,8 +154,8 @@ CollidingBodies::CollidingBodies(const Bodies& bodies)
     }
   }
   if (!rules_.groups.empty() && rules_.groups.size() != count_) {
-    throw InvalidQuery("the rules have the groups of " + text(rules_.groups.size()) + " bodies, and there is " +
-                       counted(count_) + "; there must be one for each body, or none");
+    throw InvalidQuery("the rules have the groups of " + text(rules_.groups.size()) + " bodies, and " +
+                       there_are(count_) + "; there must be one for each body, or none");
   }
   if (rules_.groups.empty() && !(rules_.group_pairs.empty() && rules_.group_rule == GroupRule::all_but_listed)) {
     throw InvalidQuery("the rules are about pairs of groups, and the bodies have no groups");
@@ -181,8 +182,8 @@ std::size_t CollidingBodies::excluded() const {
 
 void validate(const Bodies& bodies, const std::vector<RigidMotion>& motions) {
   if (motions.size() != bodies.bodies.size()) {
-    throw InvalidQuery(text(motions.size()) + " motions do not fit " + counted(bodies.bodies.size()) +
-                       "; there must be one for each");
+    throw InvalidQuery(text(motions.size()) + " motions do not fit: " + there_are(bodies.bodies.size()) +
+                       ", and each needs one");
   }
   for (std::size_t b = 0; b < motions.size(); ++b) solver::validate(motions[b], "body " + text(b));
 }

@@ -200,7 +200,10 @@ FirstBodyContact find_first(const Bodies& bodies, const CollidingBodies& collidi
   result.at_start = with_answers(bodies, motions, earliest.at_start(), options);
   result.start_checked = options.check_start;
   if (options.check_start) {
-    result.start_intersections = find_intersections(bodies, colliding, starts_of(motions), options);
+    Unclear unclear;
+    result.start_intersections = find_intersections(bodies, colliding, starts_of(motions), options, &unclear);
+    result.in_open = unclear.in_open;
+    result.cancelled = unclear.cancelled;
   }
   result.excluded = colliding.excluded();
   return result;

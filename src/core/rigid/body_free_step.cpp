@@ -1,6 +1,7 @@
 // The longest step of bodies whose stored, rounded end poses are reached without contact.
 // SPDX-License-Identifier: MIT
 #include <algorithm>
+#include <array>
 #include <vector>
 
 #include <touchstone/bodies.hpp>
@@ -12,6 +13,7 @@
 #include "numbers/doubles/between.hpp"
 #include "numbers/doubles/decimal_text.hpp"
 #include "numbers/doubles/float_environment.hpp"
+#include "numbers/roots/vanishing.hpp"
 #include "rigid/body_search.hpp"
 
 namespace touchstone::rigid {
@@ -71,6 +73,10 @@ FreeBodyStep find_step(const Bodies& bodies, const CollidingBodies& colliding, c
     std::transform(motions.begin(), motions.end(), path.begin(),
                    [length](const RigidMotion& motion) { return path_of(motion, length); });
     if (length == 0 || std::none_of(path.begin(), path.end(), moves)) return Tried::no_room;
+    const auto vanishes = [](const RigidMotion& motion) {  // components near the least double are rounded to 0
+      return motion.q1 == std::array<double, 4>{} || numbers::zero_between(motion.q0, motion.q1).has_value();
+    };
+    if (std::any_of(path.begin(), path.end(), vanishes)) return Tried::no_room;
     const std::vector<BodyContact> met = find_all(bodies, colliding, path, options);
     ++result.proofs;
     add(met);

@@ -114,14 +114,25 @@ std::vector<char> meeting_pieces(const Body::Impl& body, BodyIndex number, const
   return meet;
 }
 
-/// The least face of the least closed surface of a body around a point, which none of the surfaces holds.
-std::optional<Index> surface_around(const Body::Impl& body, const ExactPoint& point, const Exact& scale) {
-  std::array<double, 3> at;
+/// What is around a point that no surface of a body holds.
+struct Around {
+  std::optional<Index> face;  ///< the least one of the least closed surface, if it is inside these
+  bool cancels = false;       ///< closed surfaces are around it, and their winding numbers add up to 0
+  bool in_open = false;       ///< it is in the box around an open surface
+};
+
+Around surfaces_around(const Body::Impl& body, const ExactPoint& point, const Exact& scale) {
+  std::array<double, 3> at, room;
   for (std::size_t k = 0; k < 3; ++k) {
     at[k] = numbers::approximate_quotient(point[k], scale);  // within 2^-50 of it, relatively, or an underflow
-    const double room = std::fabs(at[k]) * 0x1p-49 + 0x1p-1070;
-    if (at[k] + room < body.box.low[k] || at[k] - room > body.box.high[k]) return std::nullopt;
+    room[k] = std::fabs(at[k]) * 0x1p-49 + 0x1p-1070;
   }
+  const auto may_hold = [&](const Box& box, std::size_t k) {
+    return at[k] + room[k] >= box.low[k] && at[k] - room[k] <= box.high[k];
+  };
+  const auto is_in = [&](const Box& box) { return may_hold(box, 0) && may_hold(box, 1) && may_hold(box, 2); };
+  Around around;
+  if (!is_in(body.box)) return around;
   const mesh::Pieces& pieces = body.pieces();
   std::vector<int> passes(pieces.size(), 0), odd(pieces.size(), 0);
   const auto& faces = body.mesh.faces();
@@ -131,30 +142,27 @@ std::optional<Index> surface_around(const Body::Impl& body, const ExactPoint& po
     const std::array<Vec3, 3> corners{body.points[faces[f][0]], body.points[faces[f][1]], body.points[faces[f][2]]};
     Box box = broad_phase::empty_box();
     for (const Vec3& corner : corners) broad_phase::extend(box, corner);
-    bool misses = false;
-    for (std::size_t k = 0; k < 3; ++k) {
-      const double room = std::fabs(at[k]) * 0x1p-49 + 0x1p-1070;
-      misses = misses || at[k] - room > box.high[k] || (k > 0 && at[k] + room < box.low[k]);
-    }
-    if (misses) continue;
+    if (at[0] - room[0] > box.high[0] || !may_hold(box, 1) || !may_hold(box, 2)) continue;  // the ray misses it
     const int pass = mesh::passes(point, scale, corners);
     passes[piece] += pass;
     odd[piece] ^= pass & 1;
   }
   int winding = 0;
-  std::optional<Index> around;
   for (Index piece = 0; piece < pieces.size(); ++piece) {
-    const bool is_around = pieces[piece].sort == mesh::PieceSort::even ? odd[piece] != 0 : passes[piece] != 0;
-    if (!is_around) continue;
-    winding += pieces[piece].sort == mesh::PieceSort::even ? 1 : passes[piece];
-    if (!around) around = pieces[piece].least;
+    if (pieces[piece].sort == mesh::PieceSort::open && is_in(pieces[piece].box)) around.in_open = true;
+    const bool is_even = pieces[piece].sort == mesh::PieceSort::even;
+    if (is_even ? odd[piece] == 0 : passes[piece] == 0) continue;
+    winding += is_even ? 1 : passes[piece];
+    if (!around.face) around.face = pieces[piece].least;
   }
-  return winding != 0 ? around : std::nullopt;
+  around.cancels = around.face && winding == 0;
+  if (winding == 0) around.face.reset();
+  return around;
 }
 
 /// Adds what lies inside closed surfaces of the other body, and meets no element of it.
 void add_inside(const Bodies& bodies, const std::vector<ExactPose>& poses, BodyIndex inner, BodyIndex outer,
-                std::vector<BodyIntersection>& all) {
+                std::vector<BodyIntersection>& all, Unclear& unclear) {
   const Body::Impl &body = bodies.bodies[inner].impl(), &other = bodies.bodies[outer].impl();
   if (other.mesh.faces().empty()) return;
   const mesh::Pieces& pieces = body.pieces();
@@ -164,9 +172,13 @@ void add_inside(const Bodies& bodies, const std::vector<ExactPose>& poses, BodyI
     const Index vertex = pieces[piece].vertex;
     const ExactPose &pose = poses[inner], &around = poses[outer];
     const ExactPoint point = around.point_at(pose.position(body.points[vertex]), pose.n);
-    if (const auto face = surface_around(other, point, around.n * pose.n)) {
+    const Around found = surfaces_around(other, point, around.n * pose.n);
+    if (found.face) {
       all.push_back(
-          {MeshElement::vertex, {inner, vertex}, MeshElement::face, {outer, *face}, IntersectionSort::inside});
+          {MeshElement::vertex, {inner, vertex}, MeshElement::face, {outer, *found.face}, IntersectionSort::inside});
+    } else {
+      unclear.cancelled += found.cancels ? 1 : 0;
+      unclear.in_open += found.in_open ? 1 : 0;
     }
   }
 }
@@ -174,7 +186,8 @@ void add_inside(const Bodies& bodies, const std::vector<ExactPose>& poses, BodyI
 }  // namespace
 
 std::vector<BodyIntersection> find_intersections(const Bodies& bodies, const CollidingBodies& colliding,
-                                                 const std::vector<Pose>& poses, const MeshOptions& options) {
+                                                 const std::vector<Pose>& poses, const MeshOptions& options,
+                                                 Unclear* unclear) {
   const std::vector<RigidMotion> motions = resting(poses);
   Bodies touching;  // separations and radii do not count
   touching.bodies = bodies.bodies;
@@ -195,9 +208,14 @@ std::vector<BodyIntersection> find_intersections(const Bodies& bodies, const Col
         }
       };
       for_each_near_at_rest({a, bodies.bodies[a].impl(), arcs[a]}, {b, bodies.bodies[b].impl(), arcs[b]}, take);
-      add_inside(bodies, exact, a, b, found);
-      add_inside(bodies, exact, b, a, found);
+      Unclear some;
+      add_inside(bodies, exact, a, b, found, some);
+      add_inside(bodies, exact, b, a, found, some);
       const std::lock_guard<std::mutex> guard(lock);
+      if (unclear != nullptr) {
+        unclear->in_open += some.in_open;
+        unclear->cancelled += some.cancelled;
+      }
       all.insert(all.end(), found.begin(), found.end());
     }
   });

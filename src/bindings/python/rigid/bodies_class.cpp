@@ -54,7 +54,8 @@ start, end    the poses at t = 0 and t = 1, of shape (k, 7): x, y, z of the body
 quaternion    'wxyz' or 'xyzw': the order of the components. It has no default, because both orders are common, and the
               wrong one gives other orientations without an error
 turn          'shorter': where q0 . q1 < 0, as recorded poses often have it by chance, the body takes the shorter turn
-              to the same orientation, by -q1; the result's `turned` has these bodies. 'as-given': it takes the longer
+              to the same orientation, by -q1; `turned` of the results of first_contact and free_step has these
+              bodies. 'as-given': it takes the longer
 threads       1 (default) to 1024, or 0 for as many as the machine has; it changes nothing in the result
 
 Over the step the quaternion is (1 - t) q0 + t q1, and the position (1 - t) p0 + t p1: both ends are met exactly. Every

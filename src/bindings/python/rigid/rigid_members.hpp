@@ -53,7 +53,8 @@ void members(Archive& archive, BodyIntersection& x) {
 }
 template <class Archive>
 void members(Archive& archive, FirstBodyContact& x) {
-  archive(x.contact, x.toi, x.toi_upper, x.earliest, x.at_start, x.start_checked, x.start_intersections, x.excluded);
+  archive(x.contact, x.toi, x.toi_upper, x.earliest, x.at_start, x.start_checked, x.start_intersections, x.in_open,
+          x.cancelled, x.excluded);
 }
 template <class Archive>
 void members(Archive& archive, BodyPairs& x) {

@@ -121,6 +121,8 @@ std::string left_out_text(const FoundBodyContact& self) {
   if (self.t_max < 1) text += "; only up to " + double_text(self.t_max);
   if (!self.found.start_checked) text += "; start not checked";
   if (self.found.excluded > 0) text += counted(self.found.excluded, "pair", "pairs") + " of bodies left out";
+  if (self.found.in_open > 0) text += counted(self.found.in_open, "piece", "pieces") + " in the box of an open surface";
+  if (self.found.cancelled > 0) text += counted(self.found.cancelled, "piece", "pieces") + " in a cavity";
   if (!self.turned.empty()) text += counted(self.turned.size(), "body takes", "bodies take") + " the shorter turn";
   return text;
 }
@@ -168,6 +170,10 @@ void define_first_body_contact(py::module_& module) {
                              "BodyPairs: every pair in contact at t = 0")
       .def_property_readonly("excluded", of_found(&FirstBodyContact::excluded),
                              "how many pairs of bodies the rules left out")
+      .def_property_readonly("in_open", of_found(&FirstBodyContact::in_open),
+                             "how many pieces of bodies are in the box around an open surface, which has no inside")
+      .def_property_readonly("cancelled", of_found(&FirstBodyContact::cancelled),
+                             "how many pieces are in closed surfaces of opposite orientation, as in a cavity")
       .def_property_readonly(
           "turned",
           [](const py::object& self) {

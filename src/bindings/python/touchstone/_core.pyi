@@ -220,6 +220,8 @@ class FirstBodyContact:
     at_start: BodyPairs
     start_checked: bool
     start_intersections: BodyIntersections
+    in_open: int
+    cancelled: int
     excluded: int
     turned: _Indices
     t_max: float

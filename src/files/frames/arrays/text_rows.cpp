@@ -22,8 +22,10 @@ ArrayFrame read_text_rows(const std::string& file, const ReadOptions& options) {
   std::uint64_t names_line = 0;
   for (std::uint64_t line = 1; !rest.empty(); ++line) {
     std::string row(rest.substr(0, rest.find('\n')));
+    const bool has_end = row.size() < rest.size();
     rest.remove_prefix(std::min(row.size() + 1, rest.size()));
     if (!io::is_row(row)) continue;
+    if (!has_end) io::fail(file, line, "the last row does not end with an end of line: the file may be cut off here");
     if (row.find('\0') != std::string::npos) io::fail(file, line, "a zero byte; this is no text file");
     const bool is_first = frame.shape.vertices == 0;
     if (is_first) separator = io::separator_of(row);

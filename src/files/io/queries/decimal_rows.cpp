@@ -61,6 +61,26 @@ bool counts_from_zero(std::string_view row) {
   return true;
 }
 
+namespace {
+
+/// The axis that a name of a column stands for, by the first letter in which the names of three columns differ: of vx,
+/// vy and vz, or of x, y and z. Nothing where that is none of x, y and z.
+std::optional<std::size_t> axis_of(const std::vector<std::string_view>& names, std::size_t column) {
+  std::size_t same = 0;
+  const auto differ = [&](std::size_t at) {
+    for (std::size_t i = 1; i < std::min<std::size_t>(names.size(), 3); ++i) {
+      if (at >= names[i].size() || at >= names[0].size() || names[i][at] != names[0][at]) return true;
+    }
+    return false;
+  };
+  while (!differ(same)) ++same;
+  const std::string word = in_lower_case(names[column]);
+  const std::size_t axis = same < word.size() ? std::string_view("xyz").find(word[same]) : std::string_view::npos;
+  return axis == std::string_view::npos ? std::nullopt : std::optional(axis);
+}
+
+}  // namespace
+
 std::string fault_of_names(std::string_view names, std::string_view row, Kind kind) {
   const auto words = fields_of(names);
   const std::size_t columns = fields_of(row).size();
@@ -77,8 +97,7 @@ std::string fault_of_names(std::string_view names, std::string_view row, Kind ki
              (is_truth ? "; the truth stands last, behind the coordinates"
                        : "; the last of so many columns is truth, 0 or 1: only coordinates stand before it");
     }
-    const bool is_axis = word[0] == 'x' || word[0] == 'y' || word[0] == 'z';
-    if (format == RowFormat::corners && !is_truth && (claim_column(word) || (is_axis && word[0] != "xyz"[i]))) {
+    if (format == RowFormat::corners && !is_truth && (claim_column(word) || axis_of(words, i).value_or(i) != i)) {
       return "column " + std::to_string(i + 1) + " is called " + in_quotes(words[i]) + "; the columns are x, y and z";
     }
   }

@@ -236,6 +236,10 @@ Kind kind_of_queries(const std::string& path, std::optional<Kind> given) {
   if (!array.kind()) return kind_of_file(path, given);
   if (given) {
     if (const std::string fault = array.fault_of_kind(*given); !fault.empty()) fail(path, fault);
+  } else if (const auto named = kind_of_path(path); named && *named != *array.kind() && start[0] != kBinaryMagic[0]) {
+    fail(path, "its shape is that of " + std::string(name_of(*array.kind())) + " queries, and its folder or name is " +
+                   std::string(name_of(*named)) + "; a query has the corners at both ends, " +
+                   std::to_string(6 * corner_count(*named)) + " numbers, and --kind says which kind it is");
   }
   return *array.kind();
 }
