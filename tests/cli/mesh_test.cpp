@@ -234,7 +234,7 @@ TEST_CASE("a step ends where velocities lead, and the verdict says so") {
            {"0;0,5;1\n", "x.csv:1: column 2 is '0,5'; a number has a point, such as 0.5, and no comma"},
            {"z,y,x\n0,0,0\n", "x.csv:1: column 1 is called 'z'; the columns are x, y and z"},
            {"vz,vy,vx\n0,0,0\n", "x.csv:1: column 1 is called 'vz'; the columns are x, y and z"},
-           {"0,0,0\n0,0,-6", "x.csv:2: the last row does not end with an end of line"},
+           {"0,0,0\n0,0,-6", "x.csv:2: the last row does not end with an end of line: the file may be cut off here"},
            {"0,0,0\n", "x.csv: has 1 velocities of 3 coordinates; the frame has 4 vertices of 3"}}) {
     const Run refused = mesh({frame, "--velocity", folder.write("x.csv", content), "--dt", "1"});
     CHECK(refused.status == 2);
