@@ -90,7 +90,7 @@ TEST_CASE("a theorem is about one query of one file") {
                     "apart := Max 1 |}\n  (Contact_at 0).\n") == 1);
 }
 
-TEST_CASE("--theorem refuses what names no query, and leaves no file") {
+TEST_CASE("prove --theorem refuses what names no query, and leaves no file") {
   const TemporaryFolder folder;
   const std::string file = folder.write("point-point/a.csv", two_point_queries());
   const std::string out = folder.path("t.v");
