@@ -12,8 +12,8 @@
 #include "python/answers.hpp"
 #include "python/arguments.hpp"
 #include "python/curved/curved_queries.hpp"
-#include "python/define.hpp"
 #include "python/curved/number_table.hpp"
+#include "python/define.hpp"
 #include "python/questions.hpp"
 
 namespace touchstone::python {

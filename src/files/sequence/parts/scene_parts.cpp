@@ -113,8 +113,7 @@ std::vector<ScenePart> parts_at_rest(const std::vector<std::string>& arguments, 
   std::vector<ScenePart> parts;
   for (std::size_t i = 0; i < files.size(); ++i) {
     if (const std::size_t count = frames::frame_count(files[i], reading); count != 1) {
-      io::fail(files[i],
-               fmt::format("has {} frames; it must be one mesh at rest", io::grouped(count)));
+      io::fail(files[i], fmt::format("has {} frames; it must be one mesh at rest", io::grouped(count)));
     }
     parts.push_back({names[i], {{files[i]}}});
   }
