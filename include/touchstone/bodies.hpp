@@ -28,8 +28,8 @@ struct Pose {
   Vec3 position;                                     ///< where the body's origin is, in the unit of length
 };
 
-/// The order of a quaternion's components, which programs and files differ in: w first in Eigen's constructor, MuJoCo and
-/// here; w last in ROS, Unity, SciPy and glTF.
+/// The order of a quaternion's components, which programs and files differ in: w first in Eigen's constructor, MuJoCo
+/// and here; w last in ROS, Unity, SciPy and glTF.
 enum class QuaternionOrder : std::uint8_t { wxyz, xyzw };
 
 /// The pose with a quaternion of this order.
@@ -198,8 +198,8 @@ struct BodyStepOptions : StepOptions {
 /// @param bodies   the bodies
 /// @param motions  one for each body
 /// @param options  how the question is answered
-/// @throws InvalidQuery  for another number of motions than of bodies, a number that is not finite, a quaternion that is
-///                       zero at an end or between them (it names the body), or rules or options without meaning
+/// @throws InvalidQuery  for another number of motions than of bodies, a number that is not finite, a quaternion that
+///                       is zero at an end or between them (it names the body), or rules or options without meaning
 FirstBodyContact first_contact(const Bodies& bodies, const std::vector<RigidMotion>& motions,
                                const BodyStepOptions& options = {});
 
@@ -263,8 +263,8 @@ struct BodyScrewContact {
   ScrewAnswer answer;  ///< that of `solve_screw` for query_of(bodies, pair, motions), with its separation
 };
 
-/// Whether bodies that turn at constant rates come into contact. Whatever the verdict is, they certainly have no contact
-/// before `free_until`, but for the start, if that was not asked about.
+/// Whether bodies that turn at constant rates come into contact. Whatever the verdict is, they certainly have no
+/// contact before `free_until`, but for the start, if that was not asked about.
 struct BodyScrewAnswer {
   ScrewVerdict verdict = ScrewVerdict::free;  ///< `contact` where a pair certainly meets
   double free_until = 0;                      ///< no contact is at a time less than this; t_max for `free`

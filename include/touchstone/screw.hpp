@@ -60,8 +60,8 @@ struct ScrewAnswer {
 /// For two edges, or a vertex and a face, a contact is proved if the elements pass through each other. A small change
 /// of the motion undoes some touches: a graze, and every touch of two points or of a point and an edge. Such a touch is
 /// proved only at t = 0 or t = 1. But a point and an edge that stay in one plane z = c, of bodies that turn about z,
-/// are a matter of the plane: a contact is proved if the point passes through the edge. With a separation, a contact is proved if the distance falls below it by more than
-/// the bound.
+/// are a matter of the plane: a contact is proved if the point passes through the edge. With a separation, a contact is
+/// proved if the distance falls below it by more than the bound.
 /// @param query    the two elements and their motion
 /// @param options  the time range, the separation and the number of arcs
 /// @return the verdict, with the times and the bound that it rests on

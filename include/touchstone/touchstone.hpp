@@ -28,9 +28,9 @@
 /// are to keep. `solve` also takes a CurvedQuery, whose corners turn or move on curves. `contact_times` gives all times
 /// of contact, and `contact_normal` the normal at the first, whose time's derivatives `toi_gradient` gives. `distance`
 /// measures at one instant. `judge` judges the claim of another solver. `Mesh` and `first_contact` ask about whole
-/// meshes, and `closest_approach` how near their elements come. `Body` and `Bodies` ask the same about whole meshes that
-/// turn. The header touchstone/touchstone.hpp brings all of
-/// these. More headers stand beside it: touchstone/eigen.hpp makes queries and positions from Eigen's types,
-/// touchstone/fuzz.hpp searches for failures of another solver, touchstone/ipc_toolkit.hpp is a narrow phase for
-/// ipc-toolkit, and touchstone/c.h is the library for C.
+/// meshes, and `closest_approach` how near their elements come. `Body` and `Bodies` ask the same about whole meshes
+/// that turn. The header touchstone/touchstone.hpp brings all of these. More headers stand beside it:
+/// touchstone/eigen.hpp makes queries and positions from Eigen's types, touchstone/fuzz.hpp searches for failures of
+/// another solver, touchstone/ipc_toolkit.hpp is a narrow phase for ipc-toolkit, and touchstone/c.h is the library for
+/// C.
 namespace touchstone {}
