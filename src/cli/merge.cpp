@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "cli/shared/command_line/common_options.hpp"
+#include "cli/shared/command_line/output_names.hpp"
 #include "cli/shared/mesh_results.hpp"
 #include "cli/shared/whole_file.hpp"
 #include "io/output_file.hpp"
@@ -54,10 +55,10 @@ void add_merge(CLI::App& program, Command& command) {
   subcommand->add_option("--out", options->out, "The report of the whole sequence; - writes it to standard output")
       ->required()
       ->type_name("FILE")
-      ->check(named_as("JSON", {".json"}));
+      ->check(named_as(Output::json));
   subcommand->add_option("--pairs", options->pairs, "Write a table (CSV) with a row for each pair in contact")
       ->type_name("FILE")
-      ->check(named_as("CSV", {".csv"}));
+      ->check(named_as(Output::csv));
   add_numbers_option(*subcommand, options->numbers);
   subcommand->get_option("--numbers")->needs("--pairs");
   subcommand->footer(

@@ -9,6 +9,7 @@
 
 #include <touchstone/error.hpp>
 
+#include "cli/shared/command_line/output_names.hpp"
 #include "cli/shared/command_line/turns.hpp"
 #include "cli/shared/found_query.hpp"
 #include "cli/shared/inputs.hpp"
@@ -84,6 +85,10 @@ int run_prove(const ProveOptions& options) {
   refuse_to_overwrite(options.out, options.files);
   if (options.theorem) return write_theorem(options, inputs, *options.theorem);
   ProofFile out(options.out, inputs);
+  const std::string fault = options.theorem
+                                ? fault_of_module_name(options.out, fmt::format("query_{}.v", *options.theorem))
+                                : fault_of_name(options.out, Output::text);
+  if (!fault.empty()) throw Error("--out: " + fault);
 
   QueryStream stream(inputs, options.chunk_bytes, io::Motions::any);
   Counts counts;
@@ -122,8 +127,7 @@ void add_prove(CLI::App& program, Command& command) {
   add_kind_option(*subcommand, options->kind);
   add_separation_options(*subcommand, options->separation, "The distance at which two elements are in contact");
   subcommand->add_option("--out", options->out, "The file for the proofs (default: standard output)")
-      ->type_name("FILE")
-      ->check(named_as("text", {".txt", ".v"}));
+      ->type_name("FILE");
   subcommand
       ->add_option("--theorem", options->theorem,
                    "Write a theorem of Coq about this query of the file, counted from 0, in place of the proofs")

@@ -9,6 +9,7 @@
 
 #include <touchstone/error.hpp>
 
+#include "cli/shared/command_line/output_names.hpp"
 #include "cli/shared/command_line/turns.hpp"
 #include "cli/shared/inputs.hpp"
 #include "cli/shared/progress/pipeline.hpp"
@@ -53,8 +54,8 @@ void solve_queries(SolveItem& item, const std::vector<Input>& inputs, const Solv
 int run_solve(const SolveCommandOptions& options) {
   const std::vector<Input> inputs = find_inputs(options.files, options.kind, options.decimals);
   refuse_to_overwrite(options.out, options.files);
-  const std::string fault = options.json ? fault_of_name(options.out, "lines of JSON", {".jsonl", ".json"})
-                                         : fault_of_name(options.out, "CSV", {".csv"});
+  const std::string fault =
+      options.json ? fault_of_name(options.out, Output::json_lines) : fault_of_name(options.out, Output::csv);
   if (!fault.empty()) throw Error("--out: " + fault + (options.json ? "" : "; --json writes lines of JSON"));
   const bool to_standard_output = options.out == "-";
   io::OutputFile out = to_standard_output ? io::OutputFile::standard_output() : io::OutputFile(options.out);

@@ -147,7 +147,9 @@ TEST_CASE("bodies: a free step ends at poses that were proved free") {
     again += "1" + lines[i].substr(lines[i].find(i == 1 ? ",bar," : ",wall,")) + "\n";
   }
   CHECK(scene.run(again).status == 0);
-  check_refused(scene.run(BarAndWall::quarter_turn("1.625"), {"--free-step", scene.bar}), "is also an input");
+  check_refused(scene.run(BarAndWall::quarter_turn("1.625"), {"--free-step", scene.bar}), "what is written is CSV");
+  check_refused(scene.run(BarAndWall::quarter_turn("1.625"), {"--free-step", scene.folder.path("poses.csv")}),
+                "is also an input");
   CHECK(scene.folder.read("bar.obj") == box_obj(1, 1, 3));
 }
 

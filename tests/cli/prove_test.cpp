@@ -115,6 +115,20 @@ TEST_CASE("prove --theorem refuses what names no query, and leaves no file") {
   CHECK(folder.read("point-point/a.csv") == two_point_queries());
 }
 
+TEST_CASE("a theorem is written to a file whose name coqc takes") {
+  const TemporaryFolder folder;
+  const std::string file = folder.write("point-point/a.csv", two_point_queries());
+  for (const char* const name : {"t.txt", "t", "1.v", "_t.v", "a-b.v", "a b.v", ".v", "t.V", "\xC3\xA4.v"}) {
+    const Run run = run_program({"prove", "--theorem", "1", "--out", folder.path(name), file});
+    CAPTURE(name, run.err);
+    CHECK(run.status == 2);
+    CHECK(occurrences(run.err, "is no name of a theory") == 1);
+    CHECK(occurrences(run.err, "name it " + folder.path("query_1.v")) == 1);
+    CHECK_FALSE(std::filesystem::exists(folder.path(name)));
+  }
+  CHECK(run_program({"prove", "--theorem", "1", "--out", folder.path("T_1.v"), file}).status == 0);
+}
+
 TEST_CASE("an answer that has no proof is an error that names its query") {
   const TemporaryFolder folder;
   const std::string file = folder.write("point-point/a.csv", two_point_queries());

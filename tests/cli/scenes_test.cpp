@@ -119,8 +119,8 @@ TEST_CASE("scenes refuses files that do not fit, and says what is wrong") {
   }
   check_scenes_refused(unnumbered, "has a name that ends in no number");
   const auto overwritten = scene();
-  const Run run =
-      run_program({"scenes", "--csv", overwritten->path("set/fall/boxes/7ee.json"), overwritten->path("set")});
+  std::filesystem::create_symlink(overwritten->path("set/fall/boxes/7ee.json"), overwritten->path("7ee.csv"));
+  const Run run = run_program({"scenes", "--csv", overwritten->path("7ee.csv"), overwritten->path("set")});
   CHECK(run.status == 2);
   CHECK(overwritten->read("set/fall/boxes/7ee.json") == "[[8,9],[10,8],[6,9]]");
   CHECK(run_program({"scenes", overwritten->path("nothing")}).status == 2);

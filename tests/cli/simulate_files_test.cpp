@@ -57,20 +57,23 @@ TEST_CASE("files that would take each other's place are refused before anything 
   check_refused({"two-edges", "--proof", folder.path("x"), "--energies", folder.path("./y/../x")},
                 "--proof and --energies name the same file, ");
   for (const char* name : {"energies.csv", "energies.gp", "energies.svg", "energies.png", "frames/frames.vtk.series"}) {
-    for (const char* option : {"--proof", "--energies", "--checkpoint"}) {
-      check_refused({"two-edges", "--out", out, option, out + "/" + name},
-                    std::string(option) + " and --out name the same file, ");
+    for (const std::string option : {"--proof", "--energies", "--checkpoint"}) {
+      const std::string ending = std::filesystem::path(name).extension().string();
+      const bool fits = ending == ".gp" || ending == ".series" || (ending == ".csv" && option != "--checkpoint");
+      check_refused(
+          {"two-edges", "--out", out, option, out + "/" + name},
+          option + (fits ? " and --out name the same file, " : ": " + out + "/" + name + " has the ending of "));
     }
   }
   check_refused({"two-edges", "--out", out, "--proof", out + "/frames/frame-000007.vtk"},
-                "/frames/frame-000007.vtk, which may be one of the frames of --out");
+                "name it " + out + "/frames/frame-000007.csv");
   check_refused({"two-edges", "--out", out, "--proof", out}, "/out, which --out needs as a folder");
   check_refused({"two-edges", "--out", out, "--energies", out + "/frames"}, "/frames, which --out needs as a folder");
   for (const char* kind : {"edge-edge", "vertex-face", "point-edge", "point-point"}) {
     const std::string of_kind = queries + "/" + kind;
-    check_refused({"two-edges", "--queries", queries, "--checkpoint", of_kind + "/candidates.csv"},
-                  "--checkpoint and --queries name the same file, ");
-    check_refused({"two-edges", "--queries", queries, "--checkpoint", of_kind + "/candidates-0x1p-3.csv"},
+    check_refused({"two-edges", "--queries", queries, "--proof", of_kind + "/candidates.csv"},
+                  "--proof and --queries name the same file, ");
+    check_refused({"two-edges", "--queries", queries, "--proof", of_kind + "/candidates-0x1p-3.csv"},
                   "/candidates-0x1p-3.csv, which may be one of the files of --queries");
     check_refused({"two-edges", "--queries", queries, "--checkpoint", of_kind}, ", which --queries needs as a folder");
   }

@@ -272,6 +272,22 @@ TEST_CASE("a file in the working folder is of that folder's kind") {
 
 TEST_CASE("an output whose name has the ending of another format is refused, with a name that is right") {
   const TemporaryFolder folder;
+  refused({"prove", "--out"}, "p.v", "text: name it " + folder.path("p.txt"));
+  for (const char* const name : {"a.tsq", "a.obj", "a.v", "a.PLY", "a.jsonl", "a.gltf"}) {
+    refused({"solve", "--out"}, name, "CSV: name it " + folder.path("a.csv"));
+  }
+  for (const char* const option : {"--csv", "--json"}) {
+    const std::string right = option == std::string("--csv") ? "CSV: name it " + folder.path("t.csv")
+                                                             : "JSON: name it " + folder.path("t.json");
+    refused({"bench", option}, "t.tsq", right);
+  }
+  refused({"scenes", "--csv"}, "t.html", "CSV: name it " + folder.path("t.csv"));
+  for (const char* const option : {"--proof", "--energies"}) {
+    refused({"simulate", option}, "t.json", "CSV: name it " + folder.path("t.csv"));
+  }
+  for (const char* const option : {"--checkpoint", "--scene-out"}) {
+    refused({"simulate", option}, "t.csv", "JSON: name it " + folder.path("t.json"));
+  }
   const std::string file = folder.write("point-point/a.csv", two_point_queries());
   const auto refused = [&](const std::vector<std::string>& arguments, const std::string& name,
                            const std::string& right) {

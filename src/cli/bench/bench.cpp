@@ -18,6 +18,7 @@
 #include "cli/bench/results.hpp"
 #include "cli/bench/sets.hpp"
 #include "cli/shared/command_line/common_options.hpp"
+#include "cli/shared/command_line/output_names.hpp"
 #include "cli/shared/progress/interrupt.hpp"
 #include "cli/shared/words.hpp"
 #include "io/output_file.hpp"
@@ -222,9 +223,12 @@ void add_bench(CLI::App& program, Command& command) {
       *subcommand, options->separation,
       "The distance at which two elements are in contact; candidates then come that near, and in the "
       "Euclidean metric thick_polynomial and thick_advancement are measured, too");
-  subcommand->add_option("--csv", options->csv, "Write every number to this file as CSV")->type_name("FILE");
+  subcommand->add_option("--csv", options->csv, "Write every number to this file as CSV")
+      ->type_name("FILE")
+      ->check(named_as(Output::csv));
   subcommand->add_option("--json", options->json, "Write every number and repetition to this file as JSON")
-      ->type_name("FILE");
+      ->type_name("FILE")
+      ->check(named_as(Output::json));
   subcommand->footer(
       "SOURCE is simulation (candidate pairs of the three scenes of touchstone generate), random (doubles), bundled\n"
       "(degenerate queries) or files; a scene of touchstone generate along the axes, boxes, bricks, plane, grid or\n"

@@ -5,6 +5,7 @@
 #include "cli/bodies/bodies.hpp"
 #include "cli/shared/command_line/common_options.hpp"
 #include "cli/shared/command_line/mesh_file_options.hpp"
+#include "cli/shared/command_line/output_names.hpp"
 
 namespace touchstone::cli {
 
@@ -60,7 +61,7 @@ void add_bodies(CLI::App& program, Command& command) {
           "Write a table (CSV) of the poses at which each step may end, free of contact: proved for these very "
           "poses. A row a body and step")
       ->type_name("FILE")
-      ->check(not_empty);
+      ->check(named_as(Output::csv));
   subcommand->footer(
       "Between two poses a quaternion is (1 - t) q0 + t q1 and a position (1 - t) p0 + t p1, t in [0, 1]: the body "
       "turns\n"

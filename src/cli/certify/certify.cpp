@@ -15,6 +15,7 @@
 #include "cli/certify/json_report.hpp"
 #include "cli/certify/verdict_summary.hpp"
 #include "cli/shared/command_line/judging_options.hpp"
+#include "cli/shared/command_line/output_names.hpp"
 #include "cli/shared/command_line/turns.hpp"
 #include "cli/shared/inputs.hpp"
 #include "cli/shared/progress/pipeline.hpp"
@@ -349,7 +350,7 @@ void add_certify(CLI::App& program, Command& command) {
           "--report", options->report,
           "Write a JSON report that lists every refuted claim; - writes it to standard output instead of the summary")
       ->type_name("FILE")
-      ->check(named_as("JSON", {".json"}));
+      ->check(named_as(Output::json));
   subcommand
       ->add_option(
           "--proofs", options->proofs,
@@ -357,7 +358,7 @@ void add_certify(CLI::App& program, Command& command) {
           "check what the verdicts rest on; - writes them to standard output instead of the summary. The "
           "claims about a query file must then be about one separation")
       ->type_name("FILE")
-      ->check(named_as("text", {".txt"}));
+      ->check(named_as(Output::text));
   subcommand->footer(
       "A claim is missed (contact denied, but there is one), phantom (contact claimed, but there is none), late (its "
       "toi\n"

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "cli/describe/tree.hpp"
+#include "cli/shared/command_line/output_names.hpp"
 #include "io/output_file.hpp"
 
 namespace touchstone::cli {
@@ -35,7 +36,9 @@ void add_describe(CLI::App& program, Command& command) {
   subcommand->add_option("--as", options->as, "man, bash or zsh")
       ->required()
       ->check(CLI::IsMember({"man", "bash", "zsh"}));
-  subcommand->add_option("--out", options->out, "The file to write (default: standard output)")->type_name("FILE");
+  subcommand->add_option("--out", options->out, "The file to write (default: standard output)")
+      ->type_name("FILE")
+      ->check(named_as(Output::text));
   subcommand->callback([options, &command, &program] {
     command = [options, &program] { return run_describe(facts_of(program), *options); };
   });

@@ -13,6 +13,7 @@
 
 #include "cli/explain/one_query.hpp"
 #include "cli/shared/command_line/common_options.hpp"
+#include "cli/shared/command_line/output_names.hpp"
 #include "cli/shared/words.hpp"
 #include "io/fail.hpp"
 #include "io/output_file.hpp"
@@ -78,7 +79,7 @@ void add_explain(CLI::App& program, Command& command) {
   add_one_query_options(*subcommand, options->query);
   subcommand->add_option("--html", options->html, "Also write a page with a picture of the query, as view does")
       ->type_name("PAGE.html")
-      ->check(page_name());
+      ->check(named_as(Output::page));
   subcommand->footer(
       "Shows the corners as given and as doubles, the coplanarity cubic's exact coefficients, each time at which "
       "contact\n"
@@ -94,7 +95,7 @@ void add_view(CLI::App& program, Command& command) {
   subcommand->add_option("--out", options->out, "The page to write (-: standard output)")
       ->required()
       ->type_name("PAGE.html")
-      ->check(page_name());
+      ->check(named_as(Output::page));
   subcommand->footer(
       "The page is one HTML file that needs no network. It shows the two elements, their paths, a slider of time with\n"
       "the roots of V and the contact, the separating plane of the proof, and what explain tells. Its zoom goes down "

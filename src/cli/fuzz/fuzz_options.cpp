@@ -10,6 +10,7 @@
 #include "cli/shared/command_line/common_options.hpp"
 #include "cli/shared/command_line/judging_options.hpp"
 #include "cli/shared/command_line/kind_check.hpp"
+#include "cli/shared/command_line/output_names.hpp"
 #include "cli/shared/words.hpp"
 #include "fuzz/climb.hpp"
 #include "fuzz/named_solvers.hpp"
@@ -221,7 +222,7 @@ void add_fuzz(CLI::App& program, Command& command) {
       ->type_name("FOLDER");
   subcommand->add_option("--html", options->html, "A page with a moving picture of each finding")
       ->type_name("PAGE.html")
-      ->check(page_name());
+      ->check(named_as(Output::page));
   subcommand
       ->add_option("--findings", options->settings.most_findings,
                    "The most findings to shrink and show; 0: all (default: 32)")

@@ -8,6 +8,7 @@
 #include "cli/mesh/mesh.hpp"
 #include "cli/shared/command_line/common_options.hpp"
 #include "cli/shared/command_line/mesh_file_options.hpp"
+#include "cli/shared/command_line/output_names.hpp"
 #include "cli/shared/words.hpp"
 #include "io/fail.hpp"
 #include "io/times.hpp"
@@ -125,7 +126,7 @@ void add_mesh(CLI::App& program, Command& command) {
                        "Write a JSON report with a result for every step; - writes it to standard output instead of "
                        "the summary")
           ->type_name("FILE")
-          ->check(named_as("JSON", {".json"}));
+          ->check(named_as(Output::json));
   subcommand
       ->add_flag("--resume", options->resume,
                  "Go on with the run that was to write this report and was stopped. Its finished steps are in "
@@ -136,7 +137,7 @@ void add_mesh(CLI::App& program, Command& command) {
                        "verdict to standard error");
   subcommand->add_option("--pairs", options->pairs, "Write a table (CSV) with a row for each pair in contact")
       ->type_name("FILE")
-      ->check(named_as("CSV", {".csv"}));
+      ->check(named_as(Output::csv));
   add_numbers_option(*subcommand, options->numbers);
   subcommand->get_option("--numbers")->needs("--pairs");
   subcommand
@@ -148,7 +149,7 @@ void add_mesh(CLI::App& program, Command& command) {
           "--html", options->html,
           "Write a page with the animation, its contacts and its intersections. It is one file, for any browser")
       ->type_name("PAGE.html")
-      ->check(page_name());
+      ->check(named_as(Output::page));
   subcommand
       ->add_option("--prove", options->prove,
                    "Write the frames' positions as FOLDER/motion.txt and a proof for each pair of each step as "

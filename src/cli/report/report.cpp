@@ -13,6 +13,7 @@
 
 #include "cli/report/page.hpp"
 #include "cli/shared/command_line/common_options.hpp"
+#include "cli/shared/command_line/output_names.hpp"
 #include "cli/shared/command_line/turns.hpp"
 #include "cli/shared/inputs.hpp"
 #include "cli/shared/new_folders.hpp"
@@ -191,7 +192,7 @@ void add_report(CLI::App& program, Command& command) {
       ->add_option("--html", options->html,
                    "Write a page with the error against the run time, and tables that sort. It is one file")
       ->type_name("PAGE.html")
-      ->check(page_name());
+      ->check(named_as(Output::page));
   subcommand->add_flag("--quick", options->size.quick, "A few queries of each set: some seconds, and rough numbers");
   add_seed_option(*subcommand, options->size.seed);
   add_separation_options(*subcommand, options->separation,

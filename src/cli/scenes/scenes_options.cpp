@@ -4,6 +4,7 @@
 
 #include "cli/scenes/scenes.hpp"
 #include "cli/shared/command_line/common_options.hpp"
+#include "cli/shared/command_line/output_names.hpp"
 
 namespace touchstone::cli {
 
@@ -19,9 +20,9 @@ void add_scenes(CLI::App& program, Command& command) {
                    "The number of threads, 0 for all that the machine has (default: 1); only times depend on it")
       ->type_name("N")
       ->check(CLI::Range(0, 1024));
-  subcommand->add_option("--csv", options->csv, "Write the numbers as a table, too")
+  subcommand->add_option("--csv", options->csv, "Write the numbers as a table (CSV), too")
       ->type_name("FILE")
-      ->check(not_empty);
+      ->check(named_as(Output::csv));
   subcommand->footer(
       "A scene is a folder of the time-of-impact data set (Belgrod et al. 2023), as it comes:\n"
       "  frames/    mesh files; each two that follow each other are a step, whose number is at the end of the name\n"

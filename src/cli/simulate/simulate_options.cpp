@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "cli/shared/command_line/common_options.hpp"
+#include "cli/shared/command_line/output_names.hpp"
 #include "cli/simulate/simulate.hpp"
 #include "scene/shipped_scenes.hpp"
 
@@ -63,27 +64,34 @@ void add_simulate(CLI::App& program, Command& command) {
       ->add_option("--html", options->html,
                    "Write a page with the animation, its contacts and its energies. It is one file, for any browser")
       ->type_name("PAGE.html")
-      ->check(page_name());
-  subcommand->add_option("--proof", options->proof, "Write a table with the proof of each step")->type_name("FILE");
+      ->check(named_as(Output::page));
+  subcommand->add_option("--proof", options->proof, "Write a table (CSV) with the proof of each step")
+      ->type_name("FILE")
+      ->check(named_as(Output::csv));
   subcommand
       ->add_option("--prove", options->prove,
                    "Write the positions of all steps as FOLDER/motion.txt and a proof for each pair of elements as "
                    "FOLDER/proofs.txt, for touchstone-check. The folder must be new or empty")
       ->type_name("FOLDER");
-  subcommand->add_option("--energies", options->energies, "Write a table with the energies and contacts of each step")
-      ->type_name("FILE");
+  subcommand
+      ->add_option("--energies", options->energies, "Write a table (CSV) with the energies and contacts of each step")
+      ->type_name("FILE")
+      ->check(named_as(Output::csv));
   subcommand
       ->add_option(
           "--queries", options->queries,
           "Write every candidate pair of the proofs as FOLDER/KIND/candidates.csv, query files with true answers. "
           "Pairs with a separation D are in candidates-D.csv")
       ->type_name("FOLDER");
-  subcommand->add_option("--checkpoint", options->checkpoint, "Write the state at the end to this file")
-      ->type_name("FILE");
+  subcommand->add_option("--checkpoint", options->checkpoint, "Write the state at the end to this file (JSON)")
+      ->type_name("FILE")
+      ->check(named_as(Output::json));
   subcommand->add_option("--resume", options->resume, "Continue from a checkpoint as if the run had not stopped")
       ->type_name("FILE");
   CLI::Option* const scene_out =
-      subcommand->add_option("--scene-out", options->scene_out, "Write the scene as JSON and end")->type_name("FILE");
+      subcommand->add_option("--scene-out", options->scene_out, "Write the scene as JSON and end")
+          ->type_name("FILE")
+          ->check(named_as(Output::json));
   CLI::Option* const explain = subcommand->add_flag("--explain", options->explain,
                                                     "Print the passes that the scene needs and the reasons, and end");
   subcommand

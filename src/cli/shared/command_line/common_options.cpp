@@ -69,32 +69,6 @@ void add_seed_option(CLI::App& subcommand, std::uint64_t& seed) {
 
 std::string not_empty(const std::string& name) { return name.empty() ? "the name is empty" : std::string(); }
 
-std::string fault_of_name(const std::string& name, const std::string& format, const std::vector<std::string>& endings) {
-  constexpr std::array<std::string_view, 31> kKnown = {
-      ".avi", ".bmp",  ".csv",  ".doc",   ".docx", ".eps",  ".gif",  ".gz",   ".h5",  ".hdf5",    ".html",
-      ".jpg", ".jpeg", ".json", ".jsonl", ".mov",  ".mp4",  ".npy",  ".npz",  ".odt", ".parquet", ".pdf",
-      ".png", ".ps",   ".svg",  ".tif",   ".tiff", ".webm", ".webp", ".xlsx", ".zip"};
-  const std::filesystem::path path(name);
-  const std::string ending = io::in_lower_case(path.extension().string());
-  const bool is_known = std::find(kKnown.begin(), kKnown.end(), ending) != kKnown.end();
-  if (!is_known || std::find(endings.begin(), endings.end(), ending) != endings.end()) return not_empty(name);
-  std::filesystem::path right = path;
-  right.replace_extension();
-  if (right.extension() != endings.front()) right += endings.front();
-  return fmt::format("{} has the ending of another format; what is written is {}: name it {}", io::printable(name),
-                     format, io::printable(right.string()));
-}
-
-std::function<std::string(const std::string&)> named_as(std::string format, std::vector<std::string> endings) {
-  return [format = std::move(format), endings = std::move(endings)](const std::string& name) {
-    return fault_of_name(name, format, endings);
-  };
-}
-
-std::function<std::string(const std::string&)> page_name() {
-  return named_as("a page, HTML with pictures (SVG) in it", {".html"});
-}
-
 std::string check_whole_number(const std::string& text, std::uint64_t least, std::uint64_t most) {
   const bool number = !text.empty() && text.size() < 19 && text.find_first_not_of("0123456789") == std::string::npos;
   if (number && std::stoull(text) >= least && std::stoull(text) <= most) return {};

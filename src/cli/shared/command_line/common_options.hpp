@@ -47,17 +47,6 @@ std::string check_whole_number(const std::string& text, std::uint64_t least = 0,
 /// The same for a file's name, which must not be empty.
 std::string not_empty(const std::string& name);
 
-/// Why a file of this name cannot be written, or an empty text: the name is empty, or has the ending of another format.
-/// @param format   what is written: "HTML"
-/// @param endings  those of the format, the usual one first
-std::string fault_of_name(const std::string& name, const std::string& format, const std::vector<std::string>& endings);
-
-/// The same as a check of an option.
-std::function<std::string(const std::string&)> named_as(std::string format, std::vector<std::string> endings);
-
-/// That check for a page.
-std::function<std::string(const std::string&)> page_name();
-
 /// @throws FileError when writing to `output` (an empty name or "-": none) would destroy one of `inputs`; its message
 /// ends with `advice`
 void refuse_to_overwrite(const std::string& output, const std::vector<std::string>& inputs,
