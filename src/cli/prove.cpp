@@ -33,12 +33,12 @@ struct ProveItem : QueryItem {
 
 void prove_queries(ProveItem& item, const std::vector<Input>& inputs, const ProveOptions& options) {
   if (item.chunk.file == nullptr) return;  // reading failed
-  refuse_decimals(item.chunk);
   const Separation& separation = options.separation.separation;
   io::QueryParser parser(item.chunk);
   io::QueryRecord record;
   while (parser.next(record)) {
     item.longer_turns.merge(record.longer_turns);
+    require_plain_rows(inputs[item.input], item.chunk, record);
     const Answer answer = answer_to(record.query, options.method, separation);
     item.proved.add(inputs[item.input], record, answer, separation);
     item.counts.add(answer);
@@ -53,13 +53,15 @@ std::string shorter_turns() {
 int write_theorem(const ProveOptions& options, const std::vector<Input>& inputs, std::uint64_t number) {
   if (inputs.size() != 1) throw Error("--theorem: a theorem is about one query: name one file");
   const Input& input = inputs[0];
+  require_file(input);
   const Separation& separation = options.separation.separation;
   const std::string digest = digest_of(input);  // of the file before it is read
   const auto found = find_query(input, number, io::Turns::as_given, shorter_turns());
-  refuse_decimals(found->chunk);
   const io::QueryRecord& record = found->record;
-  const proofs::TheoremTitle title{fmt::format("query_{}", number),
-                                   heading(input, record) + "; SHA-256 of the file " + digest};
+  require_plain_rows(input, found->chunk, record);
+  const proofs::TheoremTitle title{
+      fmt::format("query_{}", number),
+      heading(input, record) + (input.bytes ? "; SHA-256 of the file " + digest : "; read from a pipe")};
   std::string text;
   try {
     const Answer answer = answer_to(record.query, options.method, separation);
@@ -83,12 +85,12 @@ int write_theorem(const ProveOptions& options, const std::vector<Input>& inputs,
 int run_prove(const ProveOptions& options) {
   const std::vector<Input> inputs = find_inputs(options.files, options.kind);
   refuse_to_overwrite(options.out, options.files);
-  if (options.theorem) return write_theorem(options, inputs, *options.theorem);
-  ProofFile out(options.out, inputs);
   const std::string fault = options.theorem
                                 ? fault_of_module_name(options.out, fmt::format("query_{}.v", *options.theorem))
                                 : fault_of_name(options.out, Output::text);
   if (!fault.empty()) throw Error("--out: " + fault);
+  if (options.theorem) return write_theorem(options, inputs, *options.theorem);
+  ProofFile out(options.out, inputs);
 
   QueryStream stream(inputs, options.chunk_bytes, io::Motions::any);
   Counts counts;

@@ -93,7 +93,7 @@ TEST_CASE("a binary file is certified, explained and asked like the CSV file tha
   CHECK(run_program({"solve", "--out", folder.path("answers.csv"), array}).status == 0);
   CHECK(run_program({"certify", "--claims", folder.path("answers.csv"), array}).status == 0);
   check_refused(run_program({"prove", "--out", folder.path("proofs.txt"), binary}),
-                "a.tsq: is a file of doubles, and touchstone-check reads CSV; touchstone convert writes it as CSV");
+                "a.tsq: is a file of doubles; a proof is about fractions with commas alone");
 }
 
 TEST_CASE("rows of six columns have no claims, and other formats get none") {

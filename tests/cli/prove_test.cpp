@@ -1,7 +1,9 @@
 // touchstone prove: the text of proofs, whatever the number of threads.
 // SPDX-License-Identifier: MIT
+#include <algorithm>
 #include <filesystem>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <touchstone/error.hpp>
@@ -110,7 +112,7 @@ TEST_CASE("prove --theorem refuses what names no query, and leaves no file") {
   refused({"--theorem", "0", file, file}, "--theorem: a theorem is about one query: name one file");
   refused({file, "--theorem"}, "--theorem");
   const std::string decimals = folder.write("point-point/decimals.csv", "0.5,0,0\n1,0,0\n0,0,0\n1,0,1\n");
-  refused({"--theorem", "0", decimals}, "has decimals; a proof is about fractions");
+  refused({"--theorem", "0", decimals}, "has decimals; a proof is about fractions with commas alone");
   CHECK(run_program({"prove", "--theorem", "0", "--out", file, file}).status == 2);
   CHECK(folder.read("point-point/a.csv") == two_point_queries());
 }
@@ -127,6 +129,49 @@ TEST_CASE("a theorem is written to a file whose name coqc takes") {
     CHECK_FALSE(std::filesystem::exists(folder.path(name)));
   }
   CHECK(run_program({"prove", "--theorem", "1", "--out", folder.path("T_1.v"), file}).status == 0);
+}
+
+TEST_CASE("prove and certify read the files that the checker reads, with and without --theorem") {
+  const TemporaryFolder folder;
+  const std::string truth = "0,1,0,1,0,1,1\n1,1,0,1,0,1,1\n1,1,0,1,0,1,1\n0,1,0,1,0,1,1\n";
+  std::string semicolons = truth, words = truth;
+  std::replace(semicolons.begin(), semicolons.end(), ',', ';');
+  for (std::size_t at = 0; (at = words.find(",1\n", at)) != std::string::npos;) words.replace(at, 3, ",True\n");
+  const std::string fractions = folder.write("point-point/fractions.csv", truth);
+  const std::string array = folder.path("point-point/array.npy"), binary = folder.path("binary.tsq");
+  REQUIRE(run_program({"convert", "--claims", "drop", fractions, array}).status == 0);
+  REQUIRE(run_program({"convert", fractions, binary}).status == 0);
+  const std::vector<std::pair<std::string, std::string>> refused = {
+      {array, ": is a file of doubles"},
+      {binary, ": is a file of doubles"},
+      {folder.write("point-point/decimals.csv", "0,0,0,1\n1,0,0,1\n1,0,0,1\n0,0,0,1\n"), ": has decimals"},
+      {folder.write("point-point/semicolons.csv", semicolons), ": has quotes, separators that are no commas, or"},
+      {folder.write("point-point/mark.csv", "\xEF\xBB\xBF" + truth), ": has quotes, separators that are no commas, or"},
+      {folder.write("point-point/names.csv", "a,b,c,d,e,f,truth\n" + truth), ":1: names columns"},
+      {folder.write("point-point/true it is.csv", words), ":1: a truth is no plain 0 or 1"},
+  };
+  for (const auto& [file, reason] : refused) {
+    REQUIRE(run_program({"solve", file}).status == 0);  // others read it
+    std::vector<std::vector<std::string>> runs = {{"prove", file}, {"prove", "--theorem", "0", file}};
+    if (file != array) runs.push_back({"certify", "--proofs", folder.path("p.txt"), file});
+    for (const auto& words_of_run : runs) {
+      const Run run = run_program(words_of_run);
+      CAPTURE(words_of_run, run.err);
+      CHECK(run.status == 2);
+      CHECK(run.out == "");
+      CHECK(occurrences(run.err, file + reason) == 1);
+      CHECK(occurrences(run.err, "touchstone convert --kind point-point ") == 1);
+    }
+    const std::string out = folder.path("point-point/out.csv");
+    REQUIRE(run_program({"convert", "--kind", "point-point", file, out}).status == 0);  // as the message says
+    REQUIRE(run_program({"prove", "--out", folder.path("p.txt"), out}).status == 0);
+    CHECK(run_checker(folder.path("p.txt"), {out}).status == 0);
+    CHECK(occurrences(run_program({"prove", "--theorem", "0", out}).out,
+                      io::sha256(folder.read("point-point/out.csv"))) == 1);
+    std::filesystem::remove(folder.path("p.txt"));
+  }
+  CHECK(occurrences(run_program({"prove", "--theorem", "0", "bundled/point-point/collinear.csv"}).err,
+                    "proofs go with files") == 1);
 }
 
 TEST_CASE("an answer that has no proof is an error that names its query") {

@@ -93,7 +93,6 @@ std::string verdict_members(const Claim& claim, Verdict verdict, bool is_refuted
 
 void judge_queries(CertifyItem& item, const CertifyOptions& options, const std::vector<Input>& inputs) {
   if (item.chunk.file == nullptr) return;  // reading failed
-  if (!options.proofs.empty()) refuse_decimals(item.chunk);
   const bool from_file = !options.claims.empty();
   const std::string file = io::json_string(inputs[item.input].name);
   io::QueryParser parser(item.chunk, options.turns);
@@ -110,7 +109,10 @@ void judge_queries(CertifyItem& item, const CertifyOptions& options, const std::
     const Answer answer = answer_to(record.query, options.method, separation);
     const Verdict verdict = verdict_on(claim, record.query, answer, separation);
     item.tally.add(claim, answer, verdict);
-    if (!options.proofs.empty()) item.proved.add(inputs[item.input], record, answer, separation);
+    if (!options.proofs.empty()) {
+      require_plain_rows(inputs[item.input], item.chunk, record);
+      item.proved.add(inputs[item.input], record, answer, separation);
+    }
     const bool is_refuted =
         verdict != Verdict::holds && counts(options.counting, claim, answer, verdict, item.not_counted);
     if (options.json) {

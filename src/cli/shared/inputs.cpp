@@ -41,20 +41,6 @@ io::InputFile Input::open() const {
   return bundled ? io::InputFile::from_memory(name, content) : io::InputFile::open(name, throw_if_interrupted);
 }
 
-void refuse_decimals(const io::QueryChunk& chunk) {
-  if (chunk.format != io::RowFormat::fractions) {
-    io::fail(*chunk.file, "has decimals; a proof is about fractions, which touchstone convert makes of them");
-  }
-  if (chunk.names_row != 0) {
-    io::fail(*chunk.file, chunk.names_row, "names columns, which touchstone-check does not read; take the line away");
-  }
-  if (chunk.rewritten) {
-    io::fail(*chunk.file,
-             "has quotes, or separators that are no commas, which touchstone-check does not read; touchstone convert "
-             "writes commas alone");
-  }
-}
-
 std::vector<Input> find_inputs(const std::vector<std::string>& names, std::optional<Kind> kind, io::Decimals decimals) {
   std::vector<Input> inputs;
   for (const auto& name : names) {

@@ -37,10 +37,6 @@ struct Input {
 std::vector<Input> find_inputs(const std::vector<std::string>& names, std::optional<Kind> kind,
                                io::Decimals decimals = io::Decimals::exact);
 
-/// A proof is about what touchstone-check reads, which is fractions.
-/// @throws FileError  for queries of decimals
-void refuse_decimals(const io::QueryChunk& chunk);
-
 /// Every bundled file, or those of straight motion. @throws FileError when the program was built without them
 std::vector<Input> bundled_inputs(io::Motions motions);
 

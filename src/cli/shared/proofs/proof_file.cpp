@@ -9,6 +9,7 @@
 
 #include <touchstone/error.hpp>
 
+#include "cli/shared/words.hpp"
 #include "io/fail.hpp"
 #include "io/queries/query_chunks.hpp"
 #include "io/separators.hpp"
@@ -53,15 +54,32 @@ std::string digest_of(const Input& input) {
   return sum.digest();
 }
 
+void require_file(const Input& input) {
+  if (!input.bundled) return;
+  io::fail(input.name,
+           "is inside the program, where touchstone-check cannot read it: proofs go with files. The bundled queries "
+           "are files in the source, in src/cli/queries");
+}
+
+void require_plain_rows(const Input& input, const io::QueryChunk& chunk, const io::QueryRecord& record) {
+  const bool is_curved = chunk.curved();
+  const auto refuse = [&](std::uint64_t row, std::string_view what) {
+    const std::string in = input.bytes ? shell_word(input.name) : "IN.csv";
+    const std::string text = fmt::format(
+        "{}; a proof is about {} with commas alone, as touchstone-check reads them. This writes the same queries "
+        "so, exactly: touchstone convert --kind {}{} {} OUT.csv",
+        what, is_curved ? "numbers" : "fractions", name_of(input.kind), is_curved ? " --to hexfloat" : "", in);
+    row == 0 ? io::fail(input.name, text) : io::fail(input.name, row, text);
+  };
+  if (chunk.array != nullptr) refuse(0, "is a file of doubles");
+  if (chunk.format != io::RowFormat::fractions) refuse(0, "has decimals");
+  if (chunk.names_row != 0) refuse(chunk.names_row, "names columns");
+  if (chunk.rewritten) refuse(0, "has quotes, separators that are no commas, or a byte order mark");
+  if (!is_curved && !has_plain_truth(record.text)) refuse(record.first_row, "a truth is no plain 0 or 1");
+}
+
 void ProvedQueries::add(const Input& input, const io::QueryRecord& record, const Answer& answer,
                         const Separation& separation) {
-  if (record.text.empty()) {
-    io::fail(input.name, "is a file of doubles, and touchstone-check reads CSV; touchstone convert writes it as CSV");
-  }
-  if (!std::holds_alternative<CurvedQuery>(record.query) && !has_plain_truth(record.text)) {
-    io::fail(input.name, record.first_row,
-             "a truth is no plain 0 or 1, which alone touchstone-check reads; touchstone convert writes it so");
-  }
   try {
     std::visit([&](const auto& query) { proofs::append_proof_of(text_, record.number, query, answer, separation); },
                record.query);
@@ -76,12 +94,7 @@ ProofFile::ProofFile(const std::string& path, const std::vector<Input>& inputs)
     : out_(path == "-" ? io::OutputFile::standard_output() : io::OutputFile(path)),
       inputs_(inputs),
       proved_(inputs.size()) {
-  for (const Input& input : inputs) {
-    if (!input.bundled) continue;
-    io::fail(input.name,
-             "is inside the program, where touchstone-check cannot read it: proofs go with files. The bundled queries "
-             "are files in the source, in src/cli/queries");
-  }
+  std::for_each(inputs.begin(), inputs.end(), require_file);
   out_.write(proofs::kFirstLine);
 }
 

@@ -19,11 +19,20 @@ namespace touchstone::cli {
 /// The digest of a file's bytes; "-" for a pipe, which can be read only once.
 std::string digest_of(const Input& input);
 
+/// A proof is about a file that its reader has. @throws FileError  for a bundled one
+void require_file(const Input& input);
+
+/// A proof is about a query as touchstone-check reads it in that file.
+/// @param chunk  with this query
+/// @throws FileError  for doubles, decimals, separators that are no commas and so on. It names the command that writes
+///                    the same queries as touchstone-check reads them
+void require_plain_rows(const Input& input, const io::QueryChunk& chunk, const io::QueryRecord& record);
+
 /// The proofs of some queries of one file, in the order of the file. Any thread may make them.
 class ProvedQueries {
  public:
   /// Appends the proof of one answer.
-  /// @throws FileError  that names the query, when the answer has no proof: then it is wrong; for a file of doubles
+  /// @throws FileError  that names the query, when the answer has no proof: then it is wrong
   void add(const Input& input, const io::QueryRecord& record, const Answer& answer, const Separation& separation);
 
  private:

@@ -75,6 +75,7 @@ void QueryChunkReader::start() {
     fail(*name_, "is an HDF5 file; touchstone convert makes a binary query file of it");
   } else if (buffer_.starts_with(kMark)) {
     buffer_.erase(0, kMark.size());
+    marked_ = true;
   }
 }
 
@@ -229,7 +230,7 @@ QueryChunk QueryChunkReader::take(std::size_t size, std::size_t lines, std::size
   chunk.names_row = names_row_;
   chunk.format = format_;
   chunk.has_truth = has_truth_;
-  chunk.rewritten = rewritten_;
+  chunk.rewritten = rewritten_ || marked_;
   chunk.decimals = decimals_;
 
   std::string rest;

@@ -47,7 +47,8 @@ struct QueryChunk {
   std::uint64_t names_row = 0;   ///< the line that names the columns, which is no query's; else 0
   RowFormat format = RowFormat::fractions;
   bool has_truth = false;  ///< of decimals: whether the first row has one
-  bool rewritten = false;  ///< the text has commas where the file has other separators, and no quotes
+  bool rewritten =
+      false;  ///< the text has commas where the file has other separators, and no quotes or byte order mark
   Decimals decimals = Decimals::exact;
 
   std::shared_ptr<const QueryArray> array;  ///< of a file of doubles; then there is no text
@@ -102,7 +103,8 @@ class QueryChunkReader {
   std::uint64_t header_row_ = 0, names_row_ = 0;  ///< as in the chunks
   RowFormat format_ = RowFormat::fractions;
   bool has_truth_ = false;
-  bool rewritten_ = false;  ///< as in the chunks
+  bool rewritten_ = false;  ///< rows have other separators than commas, or quotes
+  bool marked_ = false;     ///< the file began with a byte order mark
   char separator_ = ',';    ///< of the first row
   std::string names_;       ///< the line that names the columns, until the first row
   bool at_end_ = false;
