@@ -108,6 +108,65 @@ TEST_CASE("claims are read as solvers write them") {
   }
 }
 
+TEST_CASE("a comment before the first row may name the columns, as numpy.savetxt writes it") {
+  for (const char* const claims : {
+           "# toi,contact,query\n0.5,1,0\ninf,0,1\n0.25,1,2\n",
+           "# toi contact query\n0.25 1 2\n0.5 1 0\ninf 0 1\n",
+           "# toi,contact,query\n0.25 1 2\n0.5 1 0\ninf 0 1\n",
+           "# by \"me, it's 5\" long\n#toi;contact;query\r\n0.25;1;2\r\n0.5;1;0\r\ninf;0;1\r\n",
+           "# my solver, version 2\n# of Monday\n\ntoi,contact,query\n0.5,1,0\ninf,0,1\n0.25,1,2\n",
+           "# my solver, version 2, hits\n0,1,0.5\n1,0,inf\n2,1,0.25\n",
+       }) {
+    Judging judging;
+    const Run run = judging.run("a.csv", claims);
+    CAPTURE(claims, run.out, run.err);
+    CHECK(run.status == 0);
+    CHECK(run.out.starts_with("all 3 claims hold (claims of " + judging.folder.path("a.csv") + ", 1 file)\n"));
+    CHECK(occurrences(run.out, "0 to 0 doubles before the exact time") == 1);
+  }
+  Judging judging;
+  CHECK(occurrences(judging.run("b.csv", "# query,contact\n0,1\n1,yes no\n").err, "b.csv:3: contact is 'yes no'") == 1);
+  CHECK(occurrences(judging.run("c.csv", "# nothing but this\n").err, "c.csv: is empty") == 1);
+}
+
+TEST_CASE("a list of contacts alone needs no column that says so") {
+  struct Spelling {
+    const char* name;
+    std::string claims;
+    std::vector<std::string> more = {};
+  };
+  for (const Spelling& spelling : std::vector<Spelling>{
+           {"a.csv", "query,toi\n2,0.25\n0,0.5\n"},
+           {"b.csv", "# toi,query\n0.25,2\n0.5,0\n"},
+           {"c.csv", "2,0.25\n0,0.5\n", {"--columns", "query,toi"}},
+           {"d.csv", "when,at\n0.25,2\n0.5,0\n", {"--columns", "toi,query"}},
+           {"e.json", R"([{"id": 2, "t": 0.25}, {"id": 0, "t": 0.5}])"},
+           {"f.jsonl", "{\"id\": 2, \"t\": 0.25}\n{\"id\": 0, \"t\": 0.5}\n"},
+           {"g.npy", npy("<f8", "(2, 2)", doubles({2, 0.25, 0, 0.5})), {"--columns", "query,toi"}},
+           {"h.npz", npz({{"query.npy", npy("<f8", "(2,)", doubles({2, 0}))},
+                          {"toi.npy", npy("<f8", "(2,)", doubles({0.25, 0.5}))}})},
+       }) {
+    Judging judging;
+    std::vector<std::string> more = spelling.more;
+    more.insert(more.end(), {"--missing", "no-contact"});
+    const Run run = judging.run(spelling.name, spelling.claims, more);
+    CAPTURE(spelling.name, run.out, run.err);
+    CHECK(run.status == 0);
+    CHECK(
+        run.out.starts_with("all 3 claims hold (claims of " + judging.folder.path(spelling.name) +
+                            " (claims without 'contact' have one, no contact at 1 query without a claim), 1 file)\n"));
+    CHECK(occurrences(run.out, "0 to 0 doubles before the exact time") == 1);
+    const Run refused = judging.run(spelling.name, spelling.claims, spelling.more);
+    CAPTURE(refused.err);
+    CHECK(refused.status == 2);
+    CHECK(occurrences(refused.err, "is a 'contact'; known names are ") == 1);
+    CHECK(occurrences(refused.err, "--missing no-contact") == 1);
+  }
+  Judging judging;
+  CHECK(judging.run("a.csv", "toi\n0.5\n", {"--missing", "no-contact"}).status == 2);
+  CHECK(judging.run("b.csv", "query,toi\n0,inf\n", {"--missing", "no-contact"}).status == 2);
+}
+
 TEST_CASE("a verdict says that claims have no times, and which columns are not read") {
   struct Spelling {
     const char* name;
@@ -186,7 +245,13 @@ TEST_CASE("claims that number their queries may have any order") {
                     "two.csv:3: query is 1 where query 0 of " + first +
                         " comes next; claims about several query files have another order than the queries only if a "
                         "column 'file' names the file of each\n") == 1);
-  CHECK(occurrences(of_two(head + "x.csv,0,1\n").err, "two.csv:2: file is 'x.csv' where ") == 1);
+  const std::string no_file = ", which is none of the query files; claims name them as the command line does: ";
+  CHECK(occurrences(of_two(head + "x.csv,0,1\n").err,
+                    "two.csv:2: file is 'x.csv'" + no_file + "'" + more + "', '" + first + "'\n") == 1);
+  CHECK(occurrences(of_two(head + "r.csv,0,1\n").err, "two.csv:2: file is 'r.csv'" + no_file + "'" + more + "'\n") ==
+        1);
+  CHECK(occurrences(of_two("file,contact\n" + more + ",1\n" + more + ",1\n").err,
+                    " comes next; without a column 'query' the claims are in the order of the queries") == 1);
 }
 
 TEST_CASE("a claim that is missing, the second one of its query, or of none, is named with its row") {
@@ -195,7 +260,15 @@ TEST_CASE("a claim that is missing, the second one of its query, or of none, is 
       "none";
   for (const auto& [claims, message] : std::vector<std::pair<std::string, std::string>>{
            {"0,1\n2,1\n", ":3: the claims end here, after 2; query 1 of FILE" + missing},
-           {"1,1\n2,1\n3,0\n", ":4: the claims end here, after 3; query 0 of FILE" + missing},
+           {"1,1\n2,1\n3,0\n", ":4: query is 3, and FILE has 3 queries, counted from 0"},
+           {"7,1\n", ":2: query is 7, and FILE has 3 queries, counted from 0"},
+           {"0,1\n9,1\n7,1\n", ":3: query is 9, and FILE has 3 queries, counted from 0"},
+           {"1,1\n2,1\n", ":3: the claims end here, after 2; query 0 of FILE" + missing},
+           {"0.99999999999999999999,1\n", ":2: query is '0.99999999999999999999'; it must be a number counted from 0"},
+           {"0,0.99999999999999999999\n",
+            ":2: contact is '0.99999999999999999999'; it must be 0 or 1, true or false, or yes or no"},
+           {"0,1.00000000000000000001\n",
+            ":2: contact is '1.00000000000000000001'; it must be 0 or 1, true or false, or yes or no"},
            {"2,1\n1,0\n0,1\n3,0\n", ":5: query is 3, and FILE has 3 queries, counted from 0"},
            {"2,1\n3,0\n1,0\n0,1\n", ":3: query is 3, and FILE has 3 queries, counted from 0"},
            {"2,1\n2,1\n1,0\n0,1\n", ":3: the second claim about query 2 of FILE; the first one is in row 2"},
@@ -272,7 +345,7 @@ TEST_CASE("faults of claims are named with what would be right") {
       {"long.npy", npy("|b1", "(4,)", std::string("\1\0\1\1", 4)),
        ": claim 4 of 4: a claim too many; there are only 3 queries"},
       {"no.json", "[2]", ": [0]: must be 0 or 1, or false or true"},
-      {"key.json", "[{\"toi\": 1}]", ": [0]: has no key 'contact'; known are file (or"},
+      {"key.json", "[{\"toi\": 1}]", ": [0]: no key is a 'contact'; known names are file (or"},
       {"both.json", "[{\"hit\": 1, \"contact\": 1}]", ": [0]: has two keys that are a 'contact'"},
       {"text.json", "[{\"hit\": 1, \"toi\": \"soon\"}]", ": [0].toi: is 'soon'; of a contact it must be finite"},
       {"line.jsonl", "{\"hit\": 1}\n{\"hit\": }\n", ": line 2: no JSON: "},
@@ -284,7 +357,7 @@ TEST_CASE("faults of claims are named with what would be right") {
       {"cube.npy", npy("<f8", "(1, 1, 1)", doubles({0})), ": an array of shape (1, 1, 1); claims have one row each"},
       {"packed.npz", npz({{"contact.npy", npy("|b1", "(1,)", std::string(1, '\1'))}}, 8),
        ": is compressed; numpy.savez, not savez_compressed, writes what is read"},
-      {"none.npz", npz({{"toi.npy", npy("<f8", "(1,)", doubles({1}))}}), ": has no array 'contact'; known names are"},
+      {"none.npz", npz({{"toi.npy", npy("<f8", "(1,)", doubles({1}))}}), ": no array is a 'contact'; known names are"},
       {"cut.npz", npz({{"contact.npy", npy("|b1", "(1,)", std::string(1, '\1'))}}).substr(0, 60), ": is no .npz file"},
       {"rows.npz",
        npz({{"contact.npy", npy("|b1", "(1,)", std::string(1, '\1'))},
@@ -310,7 +383,7 @@ TEST_CASE("columns that say nothing are refused") {
   Judging judging;
   for (const auto& [columns, message] : std::vector<std::pair<std::string, std::string>>{
            {"contact,when", "unknown column 'when'; known are file (or filename), "},
-           {"query,toi", "no column says whether there is contact; its name is contact"},
+           {"query,toi", "no column is a 'contact'; known names are"},
            {"contact,metric", "the column metric needs separation"},
            {"contact,hit", "the column 'hit' says what one before it says"}}) {
     const Run run = judging.run("a.csv", "1,1\n", {"--columns", columns});

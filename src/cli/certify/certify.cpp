@@ -207,7 +207,7 @@ std::string summary(const CertifyOptions& options, const std::string& left_out, 
 int run_certify(const CertifyOptions& options) {
   if (options.files.empty() && options.kind) throw Error("--kind goes with files; the bundled queries know theirs");
   if (options.claims.empty() && !options.columns.empty()) throw Error("--columns says what a file of --claims has");
-  if (options.claims.empty() && options.missing != MissingClaim::refused) {
+  if (options.claims.empty() && options.missing != io::MissingClaim::refused) {
     throw Error("--missing says what a file of --claims leaves out");
   }
   if (options.files.empty() && options.claims.empty() && options.separation.given) {
@@ -329,7 +329,7 @@ void add_certify(CLI::App& program, Command& command) {
       ->type_name("NAMES");
   subcommand
       ->add_option_function<std::string>(
-          "--missing", [options](const std::string&) { options->missing = MissingClaim::no_contact; },
+          "--missing", [options](const std::string&) { options->missing = io::MissingClaim::no_contact; },
           "What a query is that has no claim, where claims have the numbers of their queries: no-contact, a claim that "
           "there is none. So a file may list hits alone (default: an error)")
       ->type_name("CLAIM")

@@ -18,7 +18,7 @@ namespace touchstone::cli {
 struct CertifyOptions : QueryOptions {
   std::string claims;   ///< an answers file; empty: the truth column
   std::string columns;  ///< of the claims; empty: as their header says
-  MissingClaim missing = MissingClaim::refused;
+  io::MissingClaim missing = io::MissingClaim::refused;
   std::string report;  ///< empty: none
   std::string proofs;  ///< the file for the proofs of the exact answers; empty: none
 

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <filesystem>
 
+#include <touchstone/error.hpp>
+
 #include "cli/shared/progress/interrupt.hpp"
 #include "cli/shared/words.hpp"
 #include "io/fail.hpp"
@@ -30,7 +32,7 @@ void Questions::merge(const Questions& other) {
 
 ClaimStream::ClaimStream(const std::string& path, const io::ClaimColumns& columns, io::Decimals decimals,
                          const std::vector<Input>& inputs, const SeparationOption& separation,
-                         SeparationsOfFile separations_of_file, MissingClaim missing, std::size_t chunk_bytes)
+                         SeparationsOfFile separations_of_file, io::MissingClaim missing, std::size_t chunk_bytes)
     : name_(without_dash(path)),
       decimals_(decimals),
       inputs_(inputs),
@@ -40,18 +42,22 @@ ClaimStream::ClaimStream(const std::string& path, const io::ClaimColumns& column
       queries_(inputs.size()) {
   for (const Input& input : inputs) paths_.push_back(path_of(input.name));
   if (is_list_of_claims(name_)) {
-    listed_ = read_listed_claims(name_, columns);
+    listed_ = read_listed_claims(name_, columns, missing);
+    implied_contacts_ = listed_.implied_contacts;
   } else {
-    reader_.emplace(io::InputFile::open(name_, throw_if_interrupted), columns, chunk_bytes);
+    reader_.emplace(io::InputFile::open(name_, throw_if_interrupted), columns, chunk_bytes, missing);
     has_numbers_ = reader_->has_query_column();
+    implied_contacts_ = !reader_->has_contact_column();
   }
 }
 
 std::string ClaimStream::left_out() const {
   const std::vector<std::string>& unread = reader_ ? reader_->unread_columns() : listed_.unread;
-  std::string text;
+  std::string text = implied_contacts_ ? "claims without 'contact' have one" : "";
   if (times_ < contacts_) {
-    text = times_ == 0 ? "no times" : fmt::format("times for {} of {}", grouped(times_), counted(contacts_, "contact"));
+    text +=
+        std::string(text.empty() ? "" : ", ") +
+        (times_ == 0 ? "no times" : fmt::format("times for {} of {}", grouped(times_), counted(contacts_, "contact")));
   }
   if (without_claim_ > 0) {
     text += std::string(text.empty() ? "" : ", ") + "no contact at " + counted(without_claim_, "query") +
@@ -95,9 +101,11 @@ ClaimStream::ReadClaim ClaimStream::missing_claim(Subject subject) {
            fmt::format("the claims end here, after {}; {} has none{}", grouped(claims_), name_of_query(subject), more));
   };
   if (!has_numbers_) {
-    refuse_missing(missing_ == MissingClaim::refused ? "" : ", and --missing is for claims that number their queries");
+    refuse_missing(missing_ == io::MissingClaim::refused ? ""
+                                                         : ", and --missing is for claims that number their queries");
   }
-  if (missing_ == MissingClaim::refused) {
+  if (missing_ == io::MissingClaim::refused) {
+    refuse_unheld(subject.first);
     refuse_missing(
         "; queries are counted from 0, and with --missing no-contact those without a claim are claimed to have none");
   }
@@ -138,20 +146,39 @@ void ClaimStream::refuse_second(std::uint64_t row, Subject subject) const {
                           first == 0 ? std::string() : fmt::format("; the first one is in row {}", first)));
 }
 
+void ClaimStream::refuse_number(std::uint64_t row, Subject subject, std::uint64_t queries) const {
+  refuse(row, fmt::format("query is {}, and {} has {}, counted from 0", subject.second,
+                          io::printable(inputs_[subject.first].name), counted(queries, "query")));
+}
+
+/// Where a claim is missing, the number of another one may be wrong: the greatest of those about the same file.
+void ClaimStream::refuse_unheld(std::size_t file) const {
+  auto last = held_.lower_bound({file + 1, 0});
+  if (last == held_.begin() || (--last)->first.first != file || !inputs_[file].bytes) return;
+  std::uint64_t queries = 0;
+  try {
+    const std::vector<Input> one = {inputs_[file]};
+    QueryStream stream(one, io::kChunkBytes, io::Motions::any);
+    for (QueryItem item; stream.next(item); throw_if_interrupted()) queries += item.chunk.query_count;
+  } catch (const FileError&) {
+    return;  // the queries' own error comes later
+  }
+  if (last->first.second >= queries) refuse_number(last->second.row, last->first, queries);
+}
+
 void ClaimStream::finish() {
   io::AnswerRow row;
-  const auto refuse_number = [&](std::uint64_t at, Subject subject) {
-    refuse(at, fmt::format("query is {}, and {} has {}, counted from 0", subject.second,
-                           io::printable(inputs_[subject.first].name), counted(queries_[subject.first], "query")));
-  };
-  if (!held_.empty()) refuse_number(held_.begin()->second.row, held_.begin()->first);
+  if (!held_.empty()) {
+    const Subject first = held_.begin()->first;
+    refuse_number(held_.begin()->second.row, first, queries_[first.first]);
+  }
   if (!next(row)) return;
   std::uint64_t queries = 0;
   for (const std::uint64_t of_file : queries_) queries += of_file;
   if (row.query && (row.file || inputs_.size() == 1)) {
     const Subject subject = subject_of(row, {inputs_.size() - 1, *row.query});
     refuse_second(row.row, subject);
-    refuse_number(row.row, subject);
+    refuse_number(row.row, subject, queries_[subject.first]);
   }
   refuse(row.row, fmt::format("a claim too many; there are only {} in the query files", counted(queries, "query")));
 }
@@ -198,6 +225,23 @@ void ClaimStream::check_one_separation(const ReadClaim& claim, Subject subject) 
                      separation_for_person(file_separation_)));
 }
 
+/// A file that is none of the query files. A claim may name it by another path.
+void ClaimStream::refuse_file(std::uint64_t row, std::string_view file) const {
+  constexpr std::size_t kMost = 3;
+  const std::string text = fmt::format(
+      "file is {}, which is none of the query files; claims name them as the command "
+      "line does: ",
+      io::in_quotes(file));
+  const auto file_name = [](std::string_view path) { return std::filesystem::path(path).filename(); };
+  std::string names;
+  for (std::size_t i = 0; i < inputs_.size(); ++i) {
+    if (file_name(inputs_[i].name) == file_name(file)) refuse(row, text + io::in_quotes(inputs_[i].name));
+    if (i < kMost) names += (i == 0 ? "" : ", ") + io::in_quotes(inputs_[i].name);
+  }
+  if (inputs_.size() > kMost) names += fmt::format(" and {} more", inputs_.size() - kMost);
+  refuse(row, text + names);
+}
+
 /// The file that a row names; without a name the expected one.
 std::size_t ClaimStream::file_of(const io::AnswerRow& row, std::size_t expected) {
   if (!row.file) return expected;
@@ -207,10 +251,11 @@ std::size_t ClaimStream::file_of(const io::AnswerRow& row, std::size_t expected)
   }
   if (known_path_ == paths_[expected]) return expected;  // a file may be named twice
   const auto found = std::find(paths_.begin(), paths_.end(), known_path_);
-  if (found == paths_.end() || !row.query) {
-    refuse(row.row, fmt::format("file is {} where {} comes next; claims name the files as the command line does, and "
-                                "without a column 'query' they are in the order of the queries",
-                                io::in_quotes(*row.file), io::in_quotes(inputs_[expected].name)));
+  if (found == paths_.end()) refuse_file(row.row, *row.file);
+  if (!row.query) {
+    refuse(row.row, fmt::format("file is {} where a claim about {} comes next; without a column 'query' the claims are "
+                                "in the order of the queries on the command line",
+                                io::in_quotes(*row.file), name_of_query({expected, queries_[expected]})));
   }
   return static_cast<std::size_t>(found - paths_.begin());
 }

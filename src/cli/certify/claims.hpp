@@ -44,9 +44,6 @@ class Questions {
 /// Whether the claims about one query file may be about several separations.
 enum class SeparationsOfFile : bool { one, several };
 
-/// What a query is that has no claim in a file whose claims have the numbers of their queries.
-enum class MissingClaim : bool { refused, no_contact };
-
 /// One claim for each query. The `query` column of an answers file, if it has one, counts from 0 within each query
 /// file, and its `file` column, if it has one, names the file as the command line does. Without a `query` column the
 /// claims are in the order of the queries, and so they are without a `file` column where there are several query
@@ -61,10 +58,11 @@ class ClaimStream {
   /// @throws FileError when the file cannot be read or holds no claims
   ClaimStream(const std::string& path, const io::ClaimColumns& columns, io::Decimals decimals,
               const std::vector<Input>& inputs, const SeparationOption& separation,
-              SeparationsOfFile separations_of_file, MissingClaim missing, std::size_t chunk_bytes);
+              SeparationsOfFile separations_of_file, io::MissingClaim missing, std::size_t chunk_bytes);
 
-  /// What the claims that were read leave out, for the verdict's line: "no times", "times for 1 of 5 contacts", "no
-  /// contact at 3 queries without a claim", "not read: 'ns'"; empty when nothing is.
+  /// What the claims that were read leave out, for the verdict's line: "claims without 'contact' have one", "no
+  /// times", "times for 1 of 5 contacts", "no contact at 3 queries without a claim", "not read: 'ns'"; empty when
+  /// nothing is.
   std::string left_out() const;
 
   /// Appends the claims about the queries of `item`. @throws FileError at the first that is missing, the second about a
@@ -90,6 +88,9 @@ class ClaimStream {
   ReadClaim missing_claim(Subject subject);
   ReadClaim count(const io::AnswerRow& row);
   void refuse_second(std::uint64_t row, Subject subject) const;
+  [[noreturn]] void refuse_file(std::uint64_t row, std::string_view file) const;
+  void refuse_unheld(std::size_t file) const;
+  [[noreturn]] void refuse_number(std::uint64_t row, Subject subject, std::uint64_t queries) const;
   std::string name_of_query(Subject subject) const;
 
   Separation separation_of(const io::AnswerRow& row) const;
@@ -101,7 +102,7 @@ class ClaimStream {
   const std::vector<Input>& inputs_;
   const SeparationOption& separation_;
   SeparationsOfFile separations_of_file_;
-  MissingClaim missing_;
+  io::MissingClaim missing_;
   Separation file_separation_;  ///< of the first claim about the present query file
   std::optional<io::AnswerReader> reader_;
   ListedClaims listed_;                  ///< without a reader
@@ -110,6 +111,7 @@ class ClaimStream {
   std::map<Subject, ReadClaim> held_;    ///< the claims about later queries than those before them in the file
   std::vector<std::uint64_t> queries_;   ///< of each input, so far
   bool has_numbers_ = false;             ///< of queries
+  bool implied_contacts_ = false;        ///< claims may not say whether there is contact
   Questions questions_;                  ///< of all claims that were read
   std::uint64_t claims_ = 0, contacts_ = 0, times_ = 0;  ///< read so far; contacts with a time
   std::uint64_t without_claim_ = 0;

@@ -80,6 +80,8 @@ Separation separation_of(const JsonNode& distance, const std::optional<JsonNode>
 /// Reads the claims of one document, item by item.
 class JsonClaims {
  public:
+  explicit JsonClaims(io::MissingClaim missing) : missing_(missing) {}
+
   void add(const JsonNode& node) {
     if (!node.is_object()) {
       all_.claims.push_back({{}, {}, contact_of(node), {}, {}});
@@ -99,9 +101,15 @@ class JsonClaims {
     const auto at = [&](ClaimColumn column) -> const std::optional<JsonNode>& {
       return found[static_cast<std::size_t>(column)];
     };
-    if (!at(ClaimColumn::contact)) node.fail("has no key 'contact'; known are " + io::claim_column_names());
     ListedClaim claim;
-    claim.contact = contact_of(*at(ClaimColumn::contact));
+    claim.contact = true;
+    if (at(ClaimColumn::contact)) {
+      claim.contact = contact_of(*at(ClaimColumn::contact));
+    } else {
+      const std::string fault = io::fault_without_contact("key", at(ClaimColumn::query).has_value(), missing_);
+      if (!fault.empty()) node.fail(fault);
+      all_.implied_contacts = true;
+    }
     if (at(ClaimColumn::file)) claim.file = at(ClaimColumn::file)->text();
     if (at(ClaimColumn::metric) && !at(ClaimColumn::separation)) node.fail("has a 'metric' and no 'separation'");
     if (at(ClaimColumn::separation)) {
@@ -115,19 +123,20 @@ class JsonClaims {
   ListedClaims all() && { return std::move(all_); }
 
  private:
+  io::MissingClaim missing_;
   ListedClaims all_;
   std::unordered_set<std::string> unread_;
 };
 
-ListedClaims claims_of_json(std::string_view content) {
+ListedClaims claims_of_json(std::string_view content, io::MissingClaim missing) {
   const json::JsonDocument document = json::parse_json(with_quotes_around_nan(content));
-  JsonClaims claims;
+  JsonClaims claims(missing);
   for (const JsonNode& node : JsonNode(document.value(), "the list").items()) claims.add(node);
   return std::move(claims).all();
 }
 
-ListedClaims claims_of_json_lines(std::string_view content) {
-  JsonClaims claims;
+ListedClaims claims_of_json_lines(std::string_view content, io::MissingClaim missing) {
+  JsonClaims claims(missing);
   std::size_t number = 0;
   for (std::size_t at = 0; at < content.size();) {
     const std::size_t end = std::min(content.find('\n', at), content.size());
@@ -175,7 +184,8 @@ class Array {
 
 /// The arrays of the columns, row by row.
 ListedClaims claims_of_columns(const std::string& name, const std::array<const Array*, io::kClaimColumns>& arrays,
-                               const std::array<std::uint64_t, io::kClaimColumns>& columns) {
+                               const std::array<std::uint64_t, io::kClaimColumns>& columns, std::string_view thing,
+                               io::MissingClaim missing) {
   const auto index = [](ClaimColumn column) { return static_cast<std::size_t>(column); };
   const auto value = [&](ClaimColumn column, std::uint64_t row) {
     return arrays[index(column)]->at(row, columns[index(column)]);
@@ -186,18 +196,24 @@ ListedClaims claims_of_columns(const std::string& name, const std::array<const A
                        ", which is read from CSV and JSON alone; for the separation, --separation says it");
   }
   ListedClaims all;
-  const bool have_times = arrays[index(ClaimColumn::toi)] != nullptr;
-  const std::uint64_t rows = arrays[index(ClaimColumn::contact)]->rows();
+  const auto has = [&](ClaimColumn column) { return arrays[index(column)] != nullptr; };
+  all.implied_contacts = !has(ClaimColumn::contact);
+  if (all.implied_contacts) {
+    const std::string fault = io::fault_without_contact(thing, has(ClaimColumn::query), missing);
+    if (!fault.empty()) io::fail(name, fault);
+  }
+  const bool have_times = has(ClaimColumn::toi);
+  const std::uint64_t rows = arrays[index(all.implied_contacts ? ClaimColumn::query : ClaimColumn::contact)]->rows();
   all.claims.reserve(rows);
   for (std::uint64_t row = 0; row < rows; ++row) {
     const auto fail = [&](const char* what, double is, const char* right) {
       io::fail(name, fmt::format("{} of row {} is {}{}", what, row, is, right));
     };
     ListedClaim claim;
-    const double contact = value(ClaimColumn::contact, row);
+    const double contact = all.implied_contacts ? 1 : value(ClaimColumn::contact, row);
     if (contact != 0 && contact != 1) fail("contact", contact, "; it must be 0 or 1, or False or True");
     claim.contact = contact == 1;
-    if (arrays[index(ClaimColumn::query)] != nullptr) {
+    if (has(ClaimColumn::query)) {
       const double query = value(ClaimColumn::query, row);
       if (!(query >= 0 && query <= 0x1p53 && query == std::floor(query))) {
         fail("query", query, "; it must be a number counted from 0");
@@ -213,7 +229,8 @@ ListedClaims claims_of_columns(const std::string& name, const std::array<const A
   return all;
 }
 
-ListedClaims claims_of_npy(const std::string& path, std::string_view content, io::ClaimColumns names) {
+ListedClaims claims_of_npy(const std::string& path, std::string_view content, io::ClaimColumns names,
+                           io::MissingClaim missing) {
   const Array array(path, content);
   if (names.empty() && array.columns() == 1) names = {ClaimColumn::contact};
   if (names.empty() && array.columns() == 3) names = {ClaimColumn::query, ClaimColumn::contact, ClaimColumn::toi};
@@ -231,10 +248,10 @@ ListedClaims claims_of_npy(const std::string& path, std::string_view content, io
     arrays[static_cast<std::size_t>(names[i])] = &array;
     columns[static_cast<std::size_t>(names[i])] = i;
   }
-  return claims_of_columns(path, arrays, columns);
+  return claims_of_columns(path, arrays, columns, "column", missing);
 }
 
-ListedClaims claims_of_npz(const std::string& path, std::string_view content) {
+ListedClaims claims_of_npz(const std::string& path, std::string_view content, io::MissingClaim missing) {
   std::vector<Array> read;
   std::vector<ClaimColumn> of;
   std::vector<std::string> unread;
@@ -258,10 +275,7 @@ ListedClaims claims_of_npz(const std::string& path, std::string_view content) {
   }
   std::array<const Array*, io::kClaimColumns> arrays{};
   for (std::size_t i = 0; i < of.size(); ++i) arrays[static_cast<std::size_t>(of[i])] = &read[i];
-  if (arrays[static_cast<std::size_t>(ClaimColumn::contact)] == nullptr) {
-    io::fail(path, "has no array 'contact'; known names are " + io::claim_column_names());
-  }
-  ListedClaims all = claims_of_columns(path, arrays, {});
+  ListedClaims all = claims_of_columns(path, arrays, {}, "array", missing);
   all.unread = std::move(unread);
   return all;
 }
@@ -273,13 +287,14 @@ bool is_list_of_claims(std::string_view path) {
          path.ends_with(".npz");
 }
 
-ListedClaims read_listed_claims(const std::string& path, const io::ClaimColumns& columns) {
+ListedClaims read_listed_claims(const std::string& path, const io::ClaimColumns& columns, io::MissingClaim missing) {
   const auto content = io::WholeFile::read(path, io::kJsonLimits, throw_if_interrupted);
-  if (path.ends_with(".npy")) return claims_of_npy(path, content.bytes(), columns);
+  if (path.ends_with(".npy")) return claims_of_npy(path, content.bytes(), columns, missing);
   if (!columns.empty()) io::fail(path, "names its columns itself; --columns is for CSV and .npy");
-  if (path.ends_with(".npz")) return claims_of_npz(path, content.bytes());
+  if (path.ends_with(".npz")) return claims_of_npz(path, content.bytes(), missing);
   try {
-    return path.ends_with(".json") ? claims_of_json(content.bytes()) : claims_of_json_lines(content.bytes());
+    return path.ends_with(".json") ? claims_of_json(content.bytes(), missing)
+                                   : claims_of_json_lines(content.bytes(), missing);
   } catch (const Error& error) {
     io::fail(path, error.what());
   }

@@ -25,6 +25,7 @@ struct ListedClaim {
 struct ListedClaims {
   std::vector<ListedClaim> claims;
   std::vector<std::string> unread;  ///< the names of what is not read
+  bool implied_contacts = false;    ///< some claims do not say whether there is contact, and so claim one
 };
 
 /// Whether a file of this name is read whole: .json, .jsonl, .ndjson, .npy or .npz.
@@ -36,7 +37,8 @@ bool is_list_of_claims(std::string_view path);
 /// - .npy: an array of contacts, or rows of (query, contact, toi) or of what `columns` says;
 /// - .npz: arrays that are named as columns, as numpy.savez(FILE, contact=..., toi=...) writes them.
 /// The toi of a claim without contact may be anything, NaN and infinity too.
+/// @param missing  with MissingClaim::no_contact those with the numbers of their queries may lack `contact`
 /// @throws FileError
-ListedClaims read_listed_claims(const std::string& path, const io::ClaimColumns& columns);
+ListedClaims read_listed_claims(const std::string& path, const io::ClaimColumns& columns, io::MissingClaim missing);
 
 }  // namespace touchstone::cli

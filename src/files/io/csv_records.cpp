@@ -23,16 +23,28 @@ bool CsvRecords::next() {
     std::size_t end = 0;
     while (!find_record_end(end)) fill();
     if (at_ == buffer_.size()) return false;
+    const bool at_comment = is_comment();
     std::string_view record(buffer_.data() + at_, end - at_);
     if (record.ends_with('\r')) record.remove_suffix(1);
     line_ += 1 + static_cast<std::uint64_t>(std::count(record.begin(), record.end(), '\n'));
     at_ = std::min(end + 1, buffer_.size());
     if (record.empty()) continue;
     if (record.find('\0') != std::string_view::npos) refuse("a zero byte; this is no text file");
+    if (at_comment) {
+      const std::size_t text = std::min(record.find_first_not_of("# \t"), record.size());
+      comment_ = without_blanks(record.substr(text));
+      continue;
+    }
     if (!separator_) separator_ = is_one_field_ != nullptr && is_one_field_(record) ? ',' : separator_of(record);
     split_record(record);
     return true;
   }
+}
+
+/// Whether the line at at_, which is in the buffer, is a comment before the first record.
+bool CsvRecords::is_comment() const {
+  const std::size_t first = buffer_.find_first_not_of(" \t", at_);
+  return !separator_ && first != std::string::npos && buffer_[first] == '#';
 }
 
 /// Finds the line end that closes the record at at_: the first one outside quotes, or the end of the file.
@@ -52,10 +64,10 @@ bool CsvRecords::find_record_end(std::size_t& end) {
     if (std::count(first, last, '"') % 2 != 0) quoted = !quoted;  // a doubled quote changes nothing
     if (line_end == std::string::npos) {
       if (!at_end_) return false;
-      if (quoted) refuse("the file ends inside quotes");
+      if (quoted && !is_comment()) refuse("the file ends inside quotes");
       return true;
     }
-    if (!quoted) return true;
+    if (!quoted || is_comment()) return true;
     from = line_end + 1;
   }
 }

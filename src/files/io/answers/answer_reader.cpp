@@ -25,8 +25,8 @@ bool is_one_name(std::string_view record) { return claim_column(record).has_valu
 
 }  // namespace
 
-AnswerReader::AnswerReader(InputFile file, const ClaimColumns& columns, std::size_t chunk_bytes)
-    : records_(std::move(file), chunk_bytes, is_one_name) {
+AnswerReader::AnswerReader(InputFile file, const ClaimColumns& columns, std::size_t chunk_bytes, MissingClaim missing)
+    : records_(std::move(file), chunk_bytes, is_one_name), missing_(missing) {
   read_header(columns);
 }
 
@@ -41,10 +41,13 @@ bool AnswerReader::next(AnswerRow& row) {
   row.query = std::nullopt;
   if (has(ClaimColumn::query)) row.query = number_of(field(ClaimColumn::query));
 
-  const std::string_view contact = field(ClaimColumn::contact);
-  const std::optional<bool> truth = parse_truth(contact);
-  if (!truth) records_.refuse("contact is " + in_quotes(contact) + "; " + std::string(kTruthIsRight));
-  row.contact = *truth;
+  row.contact = true;
+  if (has(ClaimColumn::contact)) {
+    const std::string_view contact = field(ClaimColumn::contact);
+    const std::optional<bool> truth = parse_truth(contact);
+    if (!truth) records_.refuse("contact is " + in_quotes(contact) + "; " + std::string(kTruthIsRight));
+    row.contact = *truth;
+  }
 
   row.toi = std::nullopt;
   row.toi_as_written = {};
@@ -58,7 +61,7 @@ std::uint64_t AnswerReader::number_of(std::string_view query) const {
   std::uint64_t number = 0;
   const auto [end, error] = std::from_chars(query.data(), query.data() + query.size(), number);
   if (error == std::errc{} && end == query.data() + query.size()) return number;
-  const double whole = parse_finite_double(query).value_or(-1);  // 1.0, as pandas and NumPy write it among doubles
+  const double whole = parse_exact_double(query).value_or(-1);  // 1.0, as pandas and NumPy write it among doubles
   if (!(whole >= 0 && whole <= 0x1p53 && whole == std::floor(whole))) {
     records_.refuse("query is " + in_quotes(query) + "; it must be a number counted from 0");
   }
@@ -112,21 +115,31 @@ void AnswerReader::read_separation(AnswerRow& row) const {
 void AnswerReader::read_header(const ClaimColumns& columns) {
   if (!next_record()) fail(name(), "is empty; its first line may name the columns, for example query,contact,toi");
   column_count_ = fields().size();
+  const bool is_row = is_row_of_values();
   if (!columns.empty()) {
-    if (columns.size() != fields().size()) records_.refuse(fault_of_column_count(fields().size(), columns));
+    if (columns.size() != column_count_) records_.refuse(fault_of_column_count(column_count_, columns));
     take(columns);
-    has_row_ = parse_truth(field(ClaimColumn::contact)).has_value();  // else the line names the columns
-    return;
-  }
-  if (is_row_of_values()) {
-    has_row_ = true;
+    has_row_ = has(ClaimColumn::contact) ? parse_truth(field(ClaimColumn::contact)).has_value() : is_row;
+  } else if (!is_row) {
+    read_names(fields());
+  } else if (has_row_ = true; !read_comment()) {
     if (column_count_ == 1) return take({ClaimColumn::contact});
     if (column_count_ == 3) return take({ClaimColumn::query, ClaimColumn::contact, ClaimColumn::toi});
     records_.refuse(
         "no names of columns; --columns says what they are, for example --columns contact,toi or query,contact");
   }
+  if (!has(ClaimColumn::contact)) {
+    const std::string fault = fault_without_contact("column", has(ClaimColumn::query), missing_);
+    if (!fault.empty()) records_.refuse(fault + (columns.empty() ? "; --columns says what the columns are" : ""));
+  }
+  if (has(ClaimColumn::metric) && !has(ClaimColumn::separation)) {
+    records_.refuse("column 'metric' needs column 'separation'");
+  }
+}
+
+void AnswerReader::read_names(const std::vector<std::string_view>& names) {
   ClaimColumns named;
-  for (const std::string_view text : fields()) {
+  for (const std::string_view text : names) {
     const auto column = claim_column(text);
     if (!column && !is_description(text)) unread_columns_.emplace_back(text);
     if (column && std::count(named.begin(), named.end(), *column) != 0) {
@@ -136,13 +149,19 @@ void AnswerReader::read_header(const ClaimColumns& columns) {
     named.push_back(column.value_or(ClaimColumn::unread));
   }
   take(named);
-  if (!has(ClaimColumn::contact)) {
-    records_.refuse("no column is a 'contact'; known names are " + claim_column_names() +
-                    "; --columns says what the columns of others are");
-  }
-  if (has(ClaimColumn::metric) && !has(ClaimColumn::separation)) {
-    records_.refuse("column 'metric' needs column 'separation'");
-  }
+}
+
+/// Takes the names of the comment before the first row, if it has one for each column, and one of them is known.
+bool AnswerReader::read_comment() {
+  const std::string& text = records_.comment();
+  if (text.empty() || text.find('"') != std::string::npos) return false;
+  CsvRecords comment(InputFile::from_memory(name(), text), kChunkBytes, is_one_name);
+  const auto is_known = [](std::string_view field) { return claim_column(field).has_value(); };
+  const auto& names = comment.fields();
+  if (!comment.next() || names.size() != column_count_) return false;
+  if (std::none_of(names.begin(), names.end(), is_known)) return false;
+  read_names(names);
+  return true;
 }
 
 void AnswerReader::take(const ClaimColumns& columns) {

@@ -33,16 +33,19 @@ struct AnswerRow {
   std::uint64_t row = 0;                 ///< the line where it starts, counted from 1
 };
 
-/// Reads CsvRecords. The first line names the columns, in any order, by the names that
-/// claim_columns.hpp lists. Only `contact` is needed. `separation` and `metric` say what a row is about; a separation
-/// without a metric is Euclidean. Other columns are not read. Without such a line, one column is `contact`, and three
-/// are `query`, `contact` and `toi`. The toi of a row without contact is not read.
+/// Reads CsvRecords. The first line names the columns, in any order, by the names that claim_columns.hpp lists. A
+/// comment before the first row may name them, too, as numpy.savetxt writes it. Only `contact` is needed, or `query` in
+/// a list of contacts alone. `separation` and `metric` say what a row is about; a separation without a metric is
+/// Euclidean. Other columns are not read. Without such a line, one column is `contact`, and three are `query`, `contact`
+/// and `toi`. The toi of a row without contact is not read.
 class AnswerReader {
  public:
   /// Reads the header, if there is one.
   /// @param columns  what each column is, in place of the header's names, as --columns says it; empty for these
+  /// @param missing  with MissingClaim::no_contact a table with `query` and without `contact` has contacts alone
   /// @throws FileError
-  explicit AnswerReader(InputFile file, const ClaimColumns& columns = {}, std::size_t chunk_bytes = kChunkBytes);
+  explicit AnswerReader(InputFile file, const ClaimColumns& columns = {}, std::size_t chunk_bytes = kChunkBytes,
+                        MissingClaim missing = MissingClaim::refused);
 
   /// The next row into `row`. @returns false at the end of the file. @throws FileError naming the row at fault
   bool next(AnswerRow& row);
@@ -50,6 +53,7 @@ class AnswerReader {
   const std::string& name() const noexcept { return records_.name(); }
 
   bool has_query_column() const noexcept { return has(ClaimColumn::query); }
+  bool has_contact_column() const noexcept { return has(ClaimColumn::contact); }
 
   /// The names of columns that are not read and that answers.csv has not either.
   const std::vector<std::string>& unread_columns() const noexcept { return unread_columns_; }
@@ -66,6 +70,8 @@ class AnswerReader {
   void read_separation(AnswerRow& row) const;
   bool next_record();
   void read_header(const ClaimColumns& columns);
+  void read_names(const std::vector<std::string_view>& names);
+  bool read_comment();
   void take(const ClaimColumns& columns);
   bool is_row_of_values() const;
   bool has(ClaimColumn column) const noexcept { return index_[static_cast<std::size_t>(column)] != kAbsent; }
@@ -73,6 +79,7 @@ class AnswerReader {
   const std::vector<std::string_view>& fields() const noexcept { return records_.fields(); }
 
   CsvRecords records_;
+  MissingClaim missing_;
   std::uint64_t last_row_ = 0;
   bool has_row_ = false;  ///< whether fields() are a row that next() has not told yet
   std::size_t column_count_ = 0;

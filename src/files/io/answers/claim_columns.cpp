@@ -9,6 +9,7 @@
 #include "io/counted.hpp"
 #include "io/fail.hpp"
 #include "io/times.hpp"
+#include "numbers/written_number.hpp"
 
 namespace touchstone::io {
 namespace {
@@ -79,7 +80,6 @@ ClaimColumns parse_claim_columns(std::string_view text) {
     at = end + 1;
   }
   const auto has = [&](ClaimColumn column) { return std::count(columns.begin(), columns.end(), column) != 0; };
-  if (!has(ClaimColumn::contact)) throw Error("no column says whether there is contact; its name is contact");
   if (has(ClaimColumn::metric) && !has(ClaimColumn::separation)) throw Error("the column metric needs separation");
   return columns;
 }
@@ -96,8 +96,20 @@ std::string fault_of_column_count(std::size_t count, const ClaimColumns& columns
          (count > columns.size() + 3 ? ",..." : "");
 }
 
+std::string fault_without_contact(std::string_view thing, bool has_query, MissingClaim missing) {
+  if (has_query && missing == MissingClaim::no_contact) return {};
+  return "no " + std::string(thing) + " is a 'contact'; known names are " + claim_column_names() +
+         ". A list of contacts alone, each with the number of its query, needs none with --missing no-contact";
+}
+
+std::optional<double> parse_exact_double(std::string_view text) {
+  const auto number = parse_finite_double(text);
+  return number && numbers::is_exactly_a_double(text) ? number : std::nullopt;
+}
+
 std::optional<bool> parse_truth(std::string_view text) {
-  if (const auto number = parse_finite_double(text)) {
+  if (text == "0" || text == "1") return text == "1";
+  if (const auto number = parse_exact_double(text)) {
     return *number == 0 || *number == 1 ? std::optional(*number == 1) : std::nullopt;
   }
   const std::string lower = in_lower_case(text);

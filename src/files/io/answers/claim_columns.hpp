@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -20,6 +21,9 @@ inline constexpr std::size_t kClaimColumns = static_cast<std::size_t>(ClaimColum
 /// What each column of a table says, in order.
 using ClaimColumns = std::vector<ClaimColumn>;
 
+/// What a query is that has no claim in a file whose claims have the numbers of their queries.
+enum class MissingClaim : std::uint8_t { refused, no_contact };
+
 /// The column of a name in any case: "query", "id" and so on. Nothing for any other name.
 std::optional<ClaimColumn> claim_column(std::string_view name);
 
@@ -33,11 +37,16 @@ std::string_view claim_column_name(ClaimColumn column);
 std::string claim_column_names();
 
 /// Reads "id,hit,-,toi": names as above, and - for a column that is not read.
-/// @throws Error  for any other name, a name that is there twice, and without a column of contact
+/// @throws Error  for any other name, and a name that is there twice
 ClaimColumns parse_claim_columns(std::string_view text);
 
 /// Why `count` columns are not those that --columns names, for messages: "4 columns where --columns names 2: ...".
 std::string fault_of_column_count(std::size_t count, const ClaimColumns& columns);
+
+/// Why a table without a column `contact` has no claims. Empty where it may lack one: with MissingClaim::no_contact
+/// each row with the number of a query is a contact.
+/// @param thing  what a column is: "column", "key", "array"
+std::string fault_without_contact(std::string_view thing, bool has_query, MissingClaim missing);
 
 /// In lower case: ASCII alone.
 std::string in_lower_case(std::string_view text);
@@ -45,7 +54,11 @@ std::string in_lower_case(std::string_view text);
 /// What is right where parse_truth() reads nothing, for messages.
 inline constexpr std::string_view kTruthIsRight = "it must be 0 or 1, true or false, or yes or no";
 
-/// Yes or no as solvers write it: 0 or 1, in any spelling of these numbers; true or false, yes or no, in any case.
+/// The double that `text` spells exactly: not 1 for 0.99999999999999999999. Nothing for other text.
+std::optional<double> parse_exact_double(std::string_view text);
+
+/// Yes or no as solvers write it: 0 or 1, in any spelling of exactly these numbers; true or false, yes or no, in any
+/// case.
 std::optional<bool> parse_truth(std::string_view text);
 
 }  // namespace touchstone::io
