@@ -167,6 +167,21 @@ TEST_CASE("a list of contacts alone needs no column that says so") {
   CHECK(judging.run("b.csv", "query,toi\n0,inf\n", {"--missing", "no-contact"}).status == 2);
 }
 
+TEST_CASE("claims with a time outside the step are counted apart") {
+  Judging judging;
+  const Run run =
+      judging.run("a.csv", "query,contact,toi\n0,1,-5\n1,1,-1\n2,1,1.5\n", {"--report", judging.folder.path("r.json")});
+  CAPTURE(run.out, run.err);
+  CHECK(run.status == 1);
+  CHECK(occurrences(run.out,
+                    "  outside     2 claims with a toi outside [0, 1], counted here alone: 1 below 0, 1 above 1") == 1);
+  CHECK(occurrences(run.out, "doubles before the exact time") == 0);
+  CHECK(occurrences(run.out, "doubles after the exact time") == 0);
+  CHECK(occurrences(run.out, "phantom     1") == 1);
+  CHECK(occurrences(judging.folder.read("r.json"), "\"below_0\": 1") == 1);
+  CHECK(occurrences(judging.run("b.csv", "query,contact,toi\n0,1,0.5\n1,0,-5\n2,1,0\n").out, "outside") == 0);
+}
+
 TEST_CASE("a verdict says that claims have no times, and which columns are not read") {
   struct Spelling {
     const char* name;

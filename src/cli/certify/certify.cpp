@@ -185,7 +185,8 @@ std::string summary(const CertifyOptions& options, const std::string& left_out, 
   text += fmt::format(" ({})\n", what_was_judged(options, left_out, inputs, questions));
   text += verdicts_for_person(verdicts);
   text += counts_for_person({verdicts.claims(), tally.levels, tally.natures});
-  text += early_for_person(tally.early) + late_for_person(tally.late);
+  text +=
+      early_for_person(tally.early) + late_for_person(tally.late) + outside_for_person(tally.below_0, tally.above_1);
   if (options.histogram) text += histogram_for_person("early", tally.early) + histogram_for_person("late", tally.late);
   if (!options.proofs.empty()) {
     text += summary_line("proofs", fmt::format("{} in {}", grouped(verdicts.claims()), io::printable(options.proofs)));
@@ -376,7 +377,8 @@ void add_certify(CLI::App& program, Command& command) {
       "natures; how early the claims are that hold and have a toi, and how late the late ones (early, late: in ulps "
       "and "
       "in\n"
-      "time, with histograms); which wrong claims did not count (not_counted), with --late or --class; the\n"
+      "time, with histograms), but for those with a toi outside [0, 1] (outside); which wrong claims did not count\n"
+      "(not_counted), with --late or --class; the\n"
       "counts of each file (files); and every refuted claim (refuted) with its file, query, rows, verdict, claim, "
       "exact\n"
       "answer and corners as given. Times in it are hexfloats.");

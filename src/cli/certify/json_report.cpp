@@ -188,6 +188,7 @@ std::string report_begin(const ReportHeading& heading, const certify::Tally& tal
   if (!touching) json["natures"]["entering"] = entering;
   json["early"] = json_of(tally.early);
   json["late"] = json_of(tally.late);
+  json["outside"] = {{"below_0", tally.below_0}, {"above_1", tally.above_1}};
   json["files"] = Json::array();
   for (const auto& file : files) {
     json["files"].push_back({{"file", file.file}, {"kind", name_of(file.kind)}, {"claims", json_of(file.verdicts)}});

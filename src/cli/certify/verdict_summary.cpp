@@ -93,6 +93,12 @@ std::string late_for_person(const certify::TimeErrors& late) {
   return errors_for_person("late by", "with a toi that is late", "after", late);
 }
 
+std::string outside_for_person(std::uint64_t below_0, std::uint64_t above_1) {
+  if (below_0 + above_1 == 0) return "";
+  return summary_line("outside", fmt::format("{} with a toi outside [0, 1], counted here alone: {} below 0, {} above 1",
+                                             counted(below_0 + above_1, "claim"), grouped(below_0), grouped(above_1)));
+}
+
 std::string histogram_for_person(std::string_view heading, const certify::TimeErrors& errors) {
   if (errors.claims() == 0) return "";
   return fmt::format("  how {}, in doubles\n", heading) +

@@ -13,8 +13,9 @@ namespace touchstone::cli {
 
 // Blocks of whole lines:
 std::string verdicts_for_person(const certify::VerdictCounts& verdicts);
-std::string early_for_person(const certify::TimeErrors& early);  ///< empty when no claim had a toi
-std::string late_for_person(const certify::TimeErrors& late);    ///< empty when none was late
+std::string early_for_person(const certify::TimeErrors& early);                ///< empty when no claim had a toi
+std::string late_for_person(const certify::TimeErrors& late);                  ///< empty when none was late
+std::string outside_for_person(std::uint64_t below_0, std::uint64_t above_1);  ///< empty when there is none
 
 /// How many claims are how far from the exact time; empty for none. @param heading  "early" or "late"
 std::string histogram_for_person(std::string_view heading, const certify::TimeErrors& errors);

@@ -26,7 +26,11 @@ void Tally::add(const Claim& claim, const Answer& answer, Verdict verdict) noexc
   verdicts.add(verdict);
   ++levels[static_cast<std::size_t>(answer.level)];
   ++natures[static_cast<std::size_t>(answer.nature)];
-  if (!claim.contact || !claim.toi) return;
+  if (!claim.contact || !claim.toi || !answer.contact) return;
+  if (*claim.toi < 0 || *claim.toi > 1) {
+    ++(*claim.toi < 0 ? below_0 : above_1);
+    return;
+  }
   if (verdict == Verdict::late) late.add(answer.toi, late_until(*claim.toi, answer.toi));
   if (verdict != Verdict::holds) return;
   // A time as written may hold and yet round to the double after the exact time. Then it is early by 0 doubles.
@@ -39,6 +43,8 @@ void Tally::merge(const Tally& other) noexcept {
   for (std::size_t i = 0; i < natures.size(); ++i) natures[i] += other.natures[i];
   early.merge(other.early);
   late.merge(other.late);
+  below_0 += other.below_0;
+  above_1 += other.above_1;
 }
 
 bool counts(const Counting<Verdict>& counting, const Claim& claim, const Answer& answer, Verdict verdict,

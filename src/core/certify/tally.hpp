@@ -34,8 +34,9 @@ struct Tally {
   VerdictCounts verdicts;
   std::array<std::uint64_t, 4> levels{};   ///< by Level: which level decided
   std::array<std::uint64_t, 6> natures{};  ///< by Nature of the exact answer, Nature::none first
-  TimeErrors early;                        ///< of claims that hold and have a toi
+  TimeErrors early;                        ///< of claims that hold and have a toi in [0, 1]
   TimeErrors late;                         ///< of those that are late: from the answer's toi on
+  std::uint64_t below_0 = 0, above_1 = 0;  ///< claims of contact with another toi, which hold, or are late
 
   void add(const Claim& claim, const Answer& answer, Verdict verdict) noexcept;
   void merge(const Tally& other) noexcept;
