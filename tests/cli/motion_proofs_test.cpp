@@ -503,8 +503,8 @@ TEST_CASE("mesh: a checker compares a motion with the frames, bit by bit") {
   with_seventh(seventh + "v 0 0 0\n", 1, "f-7.obj and frame 7: 7 vertices, and 6");
   with_seventh(seventh + "f 1 2 4\n", 1,
                "f-7.obj and frame 7: face 2 of the file, counted from 0, is none of the motion");
-  with_seventh(seventh + "f 1 2 3 4\n", 1,
-               "f-7.obj and frame 7: face 3 of the file, counted from 0, is none of the motion");
+  with_seventh(seventh + "f 1 2 3 4\n", 1,  // the second triangle of the polygon
+               "f-7.obj and frame 7: face 2 of the file, counted from 0, is none of the motion");
   with_seventh(seventh + "f 1 2\n", 2, "f-7.obj:10: a face has three vertices, or more");
   with_seventh(seventh + "f 1 2 7\n", 2, "f-7.obj:10: \"7\" is no vertex above this line");
   // What another reader may take for a face, a line or a point.

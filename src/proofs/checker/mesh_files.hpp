@@ -16,6 +16,7 @@ namespace checker {
 struct MeshFile {
   std::vector<Number> positions;
   std::vector<std::array<std::uint32_t, 3>> faces;
+  std::vector<std::size_t> numbers;  ///< of each triangle, that of its polygon among those of the file, from 0
   std::vector<std::array<std::uint32_t, 2>> edges;
   std::vector<std::uint32_t> points;
 };
@@ -56,6 +57,7 @@ inline MeshFile read_obj(const std::string& name) {
   Lines lines(name);
   Words words;
   MeshFile mesh;
+  std::size_t polygons = 0;
   const auto vertex_of = [&](std::string_view word) {
     mpz_class number;
     const bool good = read_integer(word.substr(0, word.find('/')), number);
@@ -78,6 +80,7 @@ inline MeshFile read_obj(const std::string& name) {
       lines.require(words.size() >= 4, "a face has three vertices, or more");
       for (std::size_t k = 3; k < words.size(); ++k)
         mesh.faces.push_back({vertex_of(words[1]), vertex_of(words[k - 1]), vertex_of(words[k])});
+      mesh.numbers.resize(mesh.faces.size(), polygons++);
     } else if (sort == "l") {
       lines.require(words.size() >= 3, "a line has two vertices, or more");
       for (std::size_t k = 2; k < words.size(); ++k)
@@ -102,7 +105,10 @@ class PlyFile {
     read_header();
     MeshFile mesh;
     for (const auto& [element, count, properties] : elements_) {
-      for (std::uint32_t i = 0; i < count; ++i) read_item(element, properties, mesh);
+      for (std::uint32_t i = 0; i < count; ++i) {
+        read_item(element, properties, mesh);
+        mesh.numbers.resize(mesh.faces.size(), i);
+      }
       require(element != "vertex" || mesh.positions.size() == 3 * std::size_t{count}, "vertices need x, y and z");
     }
     require(file_.peek() == std::ifstream::traits_type::eof(), "there are bytes after the last element");

@@ -93,7 +93,7 @@ class MotionFile {
     for (const Element& face : elements_[2]) faces.insert(sorted(face.vertices));
     for (std::size_t i = 0; i < mesh.faces.size(); ++i) {
       require(faces.count(sorted(mesh.faces[i])) > 0,
-              "face " + std::to_string(i) + " of the file, counted from 0, is none of the motion");
+              "face " + std::to_string(mesh.numbers[i]) + " of the file, counted from 0, is none of the motion");
     }
     std::set<std::array<std::uint32_t, 2>> edges;
     for (const Element& edge : elements_[1]) edges.insert(side(edge.vertices[0], edge.vertices[1]));
