@@ -125,11 +125,14 @@ TEST_CASE("bodies: pairs are left out by name, and the verdict says which") {
   const Run run = scene.run(poses, {floor, "--ignore", "b*,wall", "--ignore", "floor,wall"});
   CHECK(run.status == 0);
   CHECK(occurrences(run.out,
-                    "; 2 of 3 pairs of bodies were left out; these parts were not asked about: bar and wall, "
+                    "; 2 of 3 pairs of bodies were left out; these bodies were not asked about: bar and wall, "
                     "wall and floor") == 1);
   CHECK(scene.run(poses, {floor, "--only-between", "bar,floor"}).status == 0);
   CHECK(scene.run(poses, {floor, "--only-between", "bar,wall"}).status == 1);
-  check_refused(scene.run(poses, {"--ignore", "bar,wal"}), "--ignore: 'bar,wal' names no two parts");
+  check_refused(
+      scene.run(poses, {"--ignore", "bar,wal"}),
+      "--ignore: 'bar,wal' names no two bodies: it must be two names of bodies, such as A,B, or patterns; the "
+      "bodies are bar, wall");
   check_refused(scene.run(poses, {"--ignore", "bar,wall"}), "leave no pair of bodies to ask about");
 }
 

@@ -219,7 +219,7 @@ TEST_CASE("options about parts that mean nothing are refused") {
     CHECK(run.status == 2);
     CHECK(occurrences(run.err, words) == 1);
   };
-  refused({"--ignore", "base"}, "must be two names of parts, such as A,B");
+  refused({"--ignore", "base"}, "must be two names, such as A,B");
   refused({"--ignore", "base,tip"}, "t-1.obj: 'base,tip' names no two parts");
   refused({"--ignore", "*,*"}, "has no two parts that are left to ask about");
   refused({"--ignore", "base,top", "--only-between", "base,top"}, "--only-between excludes --ignore");

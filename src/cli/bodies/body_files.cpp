@@ -71,7 +71,7 @@ void BodyFiles::set_rules(const sequence::PartOptions& options) {
     scene.vertex_parts.push_back(static_cast<std::uint32_t>(body));
   }
   const std::string option = options.only_between.empty() ? "--ignore" : "--only-between";
-  rules_ = sequence::part_rules_of(scene, options, option);
+  rules_ = sequence::part_rules_of(scene, options, option, "bodies");
   CollisionRules rules = sequence::collision_rules(scene, rules_, option);
   if (rules.groups.empty()) return;
   bodies_.rules = {{}, std::move(rules.groups), rules.group_rule, std::move(rules.group_pairs)};

@@ -181,7 +181,7 @@ std::vector<std::string> BodyResults::left_out() const {
     texts.push_back(fmt::format("{} of {} pairs of bodies {} left out", grouped(excluded_),
                                 grouped(bodies * (bodies - 1) / 2), excluded_ == 1 ? "was" : "were"));
   }
-  for (std::string& text : sequence::left_out_by(files_.rules())) texts.push_back(std::move(text));
+  for (std::string& text : sequence::left_out_by(files_.rules(), "bodies")) texts.push_back(std::move(text));
   texts.push_back(options_.check_start ? "the start was asked about intersections, too"
                                        : "whether bodies intersect at the start was not asked");
   const auto pieces = [](std::size_t count) {

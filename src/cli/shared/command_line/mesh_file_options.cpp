@@ -17,7 +17,7 @@ void add_repair_options(CLI::App& subcommand, sequence::RepairOptions& repairs, 
 void add_pair_options(CLI::App& subcommand, sequence::PartOptions& parts, const std::string& only,
                       const std::string& ignore) {
   const auto pair_of_names = [](const std::string& text) {
-    return text.find(',') == std::string::npos ? "must be two names of parts, such as A,B" : std::string();
+    return text.find(',') == std::string::npos ? "must be two names, such as A,B" : std::string();
   };
   CLI::Option* const only_between = subcommand.add_option("--only-between", parts.only_between, only);
   CLI::Option* const ignored = subcommand.add_option("--ignore", parts.ignored, ignore)->excludes(only_between);

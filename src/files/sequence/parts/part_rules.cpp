@@ -38,15 +38,15 @@ std::string parts_for_person(const std::vector<std::string>& parts) {
 
 /// The pairs that "A,B" names. A name may have commas itself. Two different texts name no part with itself.
 std::vector<std::array<std::size_t, 2>> pairs_like(const std::vector<std::string>& parts, const std::string& text,
-                                                   const std::string& file) {
+                                                   const std::string& file, std::string_view things) {
   std::vector<std::array<std::size_t, 2>> pairs;
   std::size_t ways = 0;
   for (std::size_t comma = text.find(','); comma != std::string::npos; comma = text.find(',', comma + 1)) {
     const std::string a_text = text.substr(0, comma), b_text = text.substr(comma + 1);
     const auto first = parts_like(parts, a_text), second = parts_like(parts, b_text);
     if (!second.empty() && first.size() > kMostNamedPairs / second.size()) {
-      io::fail(file, fmt::format("'{}' names {} pairs of parts; at most {} may be named: name fewer",
-                                 io::shortened(io::printable(text)), io::grouped(first.size() * second.size()),
+      io::fail(file, fmt::format("'{}' names {} pairs of {}; at most {} may be named: name fewer",
+                                 io::shortened(io::printable(text)), io::grouped(first.size() * second.size()), things,
                                  io::grouped(kMostNamedPairs)));
     }
     const std::size_t before = pairs.size();
@@ -58,15 +58,15 @@ std::vector<std::array<std::size_t, 2>> pairs_like(const std::vector<std::string
     ways += pairs.size() > before ? 1 : 0;
   }
   if (ways == 1) return pairs;
-  io::fail(file,
-           fmt::format("'{}' {}: it must be two names of parts, such as A,B, or patterns; the parts are {}",
-                       io::shortened(io::printable(text)),
-                       ways == 0 ? "names no two parts" : "names parts in several ways", parts_for_person(parts)));
+  const std::string found = ways == 0 ? fmt::format("no two {}", things) : fmt::format("{} in several ways", things);
+  io::fail(file, fmt::format("'{}' names {}: it must be two names of {}, such as A,B, or patterns; the {} are {}",
+                             io::shortened(io::printable(text)), found, things, things, parts_for_person(parts)));
 }
 
 }  // namespace
 
-PartRules part_rules_of(const frames::Topology& topology, const PartOptions& options, const std::string& file) {
+PartRules part_rules_of(const frames::Topology& topology, const PartOptions& options, const std::string& file,
+                        std::string_view things) {
   PartRules rules;
   if (options.empty()) return rules;
   if (topology.parts.empty()) io::fail(file, "names no parts: objects or groups (`o` or `g` lines of an OBJ file)");
@@ -74,7 +74,7 @@ PartRules part_rules_of(const frames::Topology& topology, const PartOptions& opt
   if (!options.only_between.empty()) rules.rule = GroupRule::only_listed;
   std::vector<std::array<std::size_t, 2>> pairs;
   for (const auto& text : options.only_between.empty() ? options.ignored : options.only_between) {
-    for (const auto& pair : pairs_like(topology.parts, text, file)) pairs.push_back(pair);
+    for (const auto& pair : pairs_like(topology.parts, text, file, things)) pairs.push_back(pair);
   }
   for (const auto& [a, b] : pairs) {
     rules.pairs.push_back({io::printable(topology.parts[a]), io::printable(topology.parts[b])});
@@ -123,7 +123,7 @@ CollisionRules collision_rules(const frames::Topology& topology, const PartRules
   return collision;
 }
 
-std::vector<std::string> left_out_by(const PartRules& rules) {
+std::vector<std::string> left_out_by(const PartRules& rules, std::string_view things) {
   std::vector<std::string> texts;
   if (!rules.within) texts.push_back("pairs within one part were left out");
   if (rules.rule == GroupRule::all_but_listed && rules.pairs.empty()) return texts;
@@ -133,8 +133,9 @@ std::vector<std::string> left_out_by(const PartRules& rules) {
   }
   if (rules.pairs.size() > kShown)
     names += fmt::format(" and {} more", io::counted(rules.pairs.size() - kShown, "pair"));
-  texts.push_back(rules.rule == GroupRule::only_listed ? "nothing but these parts was asked about: " + names
-                                                       : "these parts were not asked about: " + names);
+  texts.push_back(rules.rule == GroupRule::only_listed
+                      ? fmt::format("nothing but these {} was asked about: {}", things, names)
+                      : fmt::format("these {} were not asked about: {}", things, names));
   return texts;
 }
 

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <touchstone/mesh.hpp>
@@ -33,8 +34,10 @@ struct PartRules {
 };
 
 /// @param file  the name for messages
+/// @param things  what parts are called in messages
 /// @throws FileError  for a mesh without parts, or a name or pattern that none of its parts has
-PartRules part_rules_of(const frames::Topology& topology, const PartOptions& options, const std::string& file);
+PartRules part_rules_of(const frames::Topology& topology, const PartOptions& options, const std::string& file,
+                        std::string_view things = "parts");
 
 /// The part of each vertex; the number of parts for vertices in none.
 /// @throws FileError  for a vertex that two parts share: they cannot be told apart there
@@ -47,6 +50,7 @@ std::vector<MeshIndex> parts_of_vertices(const frames::Topology& topology, const
 CollisionRules collision_rules(const frames::Topology& topology, const PartRules& rules, const std::string& file);
 
 /// What the rules leave out, for a verdict: "pairs within one part were left out". Empty if that is nothing.
-std::vector<std::string> left_out_by(const PartRules& rules);
+/// @param things  what parts are called
+std::vector<std::string> left_out_by(const PartRules& rules, std::string_view things = "parts");
 
 }  // namespace touchstone::sequence
