@@ -132,8 +132,13 @@ TEST_CASE("a folder stands for the mesh files in it, which are of one format") {
   folder.write("r [1]/a.PLY", "");
   CHECK_THROWS_WITH(expand_patterns({run}), Contains("frames of several formats (1 .PLY, 2 .obj)"));
   folder.write("mixed/a.obj", "");
-  folder.write("mixed/b.vtu", "");
-  CHECK_THROWS_WITH(expand_patterns({folder.path("mixed")}), Contains("b.vtu, a format that is not read"));
+  folder.write("mixed/b.usd", "");
+  CHECK_THROWS_WITH(expand_patterns({folder.path("mixed")}), Contains("b.usd, a format that is not read"));
+  for (const std::string ending : {"ply", "stl", "vtk", "vtu", "vtp", "off", "msh", "gltf", "glb"}) {
+    folder.write(ending + "/a-1." + ending, "");
+    CHECK(expand_patterns({folder.path(ending)}) == NameList{folder.path(ending + "/a-1." + ending)});
+  }
+  CHECK_THROWS_WITH(expand_patterns({folder.path("nothing")}), Contains("nothing: is no file, no folder, and no"));
   folder.write("none/notes.txt", "");
   CHECK_THROWS_WITH(expand_patterns({folder.path("none")}), Contains("is a folder without mesh files"));
 }

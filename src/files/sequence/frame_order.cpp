@@ -184,8 +184,8 @@ std::string escaped(const std::string& name) {
 }
 
 /// Endings of other mesh files, which a folder's frames must not be without.
-constexpr std::string_view kUnread[] = {".vtu", ".vtp", ".abc", ".usd",  ".usda", ".usdc", ".usdz", ".fbx",  ".dae",
-                                        ".3ds", ".3mf", ".x3d", ".step", ".stp",  ".iges", ".igs",  ".bgeo", ".xdmf"};
+constexpr std::string_view kUnread[] = {".abc", ".usd", ".usda", ".usdc", ".usdz", ".fbx", ".dae",  ".3ds",
+                                        ".3mf", ".x3d", ".step", ".stp",  ".iges", ".igs", ".bgeo", ".xdmf"};
 
 /// The frames of a folder: its files of one format, in the order of their names. Other files in it are no frames.
 std::vector<std::string> frames_in(std::string folder) {
@@ -227,6 +227,9 @@ std::vector<std::string> expand_patterns(const std::vector<std::string>& argumen
       continue;
     }
     const bool pattern = argument.find_first_of("*?[") != std::string::npos;
+    if (!pattern && !frames::known_format_of(argument) && !std::filesystem::exists(argument, ignored)) {
+      io::fail(argument, "is no file, no folder, and no pattern such as 'x-*.obj'");
+    }
     if (!pattern || std::filesystem::exists(argument, ignored)) {
       files.push_back(argument);
       continue;
