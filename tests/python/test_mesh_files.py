@@ -69,6 +69,37 @@ def test_patterns_and_folders_stand_for_their_frames(tmp_path):
         ts.read_frames(tmp_path / "g*.obj")
 
 
+def test_a_message_about_elements_names_the_file_and_the_remedy(tmp_path):
+    corners = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"
+    remedy = r" \(drop_degenerate=True leaves "
+    for name, text, words in [("a.obj", corners + "f 1 1 2\n", "face 2 names vertex 1 twice"),
+                              ("b.off", "OFF 3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 1\n", "face 0 names vertex 1 twice"),
+                              ("c.obj", corners + "f 2 3 1\n", "face 2 has the same corners as face 1"),
+                              ("d.obj", corners + "l 1 1\n", "edge 1 1 names vertex 1 twice")]:
+        path = write(tmp_path, name, text)
+        for read in (lambda: ts.read_mesh(path), lambda: ts.read_frames([path, path])):
+            with pytest.raises(ValueError, match=f"{name}: {words}.*{remedy}"):
+                read()
+        ts.read_mesh(path, drop_degenerate=True)
+
+
+def test_what_names_no_frames_is_refused(tmp_path):
+    for wrong, words in [(3, "paths is of type int; it must be a folder, a pattern"),
+                         (None, "paths is of type NoneType"),
+                         ([3], "paths has an element of type int"), (iter([None]), "an element of type NoneType")]:
+        with pytest.raises(TypeError, match=words):
+            ts.read_frames(wrong)
+    for wrong, words in [("", "paths is empty"), ({}, "paths is empty"), (tmp_path / "none", "none: is no file, no"),
+                         (str(tmp_path / "none-*.obj"), "no file matches this pattern"),
+                         (tmp_path / "none.obj", "none.obj: cannot be opened")]:
+        with pytest.raises(ValueError, match=words):
+            ts.read_frames(wrong)
+    with pytest.raises(TypeError, match="path is of type NoneType; it must be a file's name"):
+        ts.read_mesh(None)
+    with pytest.raises(ValueError, match="is a folder; read_frames reads the frames in it"):
+        ts.read_mesh(tmp_path)
+
+
 SPLIT = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 0 {z}\nv 1 1 0\nv 0 1 0\nf 1 2 3\nf 4 5 6\nf 2 3 1\nf 1 1 2\n"
 
 

@@ -4,8 +4,10 @@
 #include <pybind11/stl.h>
 
 #include <atomic>
+#include <filesystem>
 #include <memory>
 #include <string>
+#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -14,6 +16,7 @@
 #include "frames/formats.hpp"
 #include "python/background.hpp"
 #include "python/define.hpp"
+#include "sequence/element_faults.hpp"
 #include "sequence/frame_order.hpp"
 #include "sequence/repairs.hpp"
 
@@ -34,7 +37,9 @@ auto in_words_of_python(const Work& work) {
     return work();
   } catch (const FileError& error) {
     std::string text = error.what();
-    for (const auto& [option, argument] : {std::pair{"--triangulate", "triangulate=True"}, {"--weld", "weld=True"}}) {
+    for (const auto& [option, argument] : {std::pair{"--triangulate", "triangulate=True"},
+                                           {"--weld", "weld=True"},
+                                           {"mesh --drop-degenerate", "drop_degenerate=True"}}) {
       for (std::size_t at = 0; (at = text.find(option, at)) != std::string::npos;) {
         text.replace(at, std::string(option).size(), argument);
       }
@@ -56,15 +61,25 @@ class MeshReader {
     constexpr std::size_t kLong = std::size_t{1} << 20;  // a thread of its own hears Ctrl-C
     const frames::Frame frame = in_background(
         kLong, [&](const std::atomic<bool>&) { return in_words_of_python([&] { return frame_of(file); }); });
-    const frames::Topology& topology = *frame.topology;
+    topology_ = frame.topology;
+    const frames::Topology& topology = *topology_;
     return py::make_tuple(array_of<double>(frame.positions, 3), array_of<MeshIndex>(topology.faces, 3),
                           array_of<MeshIndex>(topology.edges, 2), array_of<MeshIndex>(topology.points, 0),
                           topology.parts, array_of<std::uint32_t>(topology.face_parts, 0), topology.welded_vertices,
                           topology.dropped_elements);
   }
 
+  /// @throws FileError  for what Mesh refuses of the elements that were read last, by their numbers in the file
+  void check_elements(const std::string& file) const {
+    if (topology_) in_words_of_python([&] { sequence::check_elements(*topology_, file); });
+  }
+
  private:
   frames::Frame frame_of(const std::string& file) {
+    std::error_code ignored;
+    if (std::filesystem::is_directory(file, ignored)) {
+      throw FileError(file + ": is a folder; read_frames reads the frames in it");
+    }
     const frames::Format format = frames::format_of(file);
     if (format >= frames::Format::npy) {
       throw FileError(file +
@@ -81,6 +96,7 @@ class MeshReader {
 
   bool triangulate_;
   sequence::Repairs repairs_;
+  std::shared_ptr<const frames::Topology> topology_;
 };
 
 /// The files of patterns and folders, in the order given or that of their numbers.
@@ -97,7 +113,8 @@ void define_mesh_files(py::module_& module) {
       .def(py::init([](bool triangulate, bool weld, bool drop_degenerate) {
         return MeshReader(triangulate, {weld, false, drop_degenerate});
       }))
-      .def("read", &MeshReader::read);
+      .def("read", &MeshReader::read)
+      .def("check_elements", &MeshReader::check_elements);
   module.def("frame_files", &frame_files);
 }
 

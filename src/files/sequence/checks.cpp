@@ -15,6 +15,7 @@
 #include "io/fail.hpp"
 #include "mesh/coinciding.hpp"
 #include "mesh/inside_surfaces/inside.hpp"
+#include "sequence/element_faults.hpp"
 #include "sequence/element_names.hpp"
 #include "sequence/parts/own_neighbours.hpp"
 
@@ -25,60 +26,6 @@ using frames::Frame;
 using frames::Topology;
 
 Positions positions_of(const Frame& frame) { return {frame.positions, frame.topology->dimension}; }
-
-template <std::size_t N>
-std::string corners_text(const Topology& topology, const std::array<MeshIndex, N>& corners) {
-  std::string text;
-  for (const MeshIndex corner : corners) {
-    text += fmt::format("{}{}", text.empty() ? "" : " ", topology.number_of_vertex(corner));
-  }
-  return text;
-}
-
-/// The name of element i in messages.
-std::string element_name(const Topology& topology, const std::array<MeshIndex, 3>&, std::size_t i) {
-  return fmt::format("face {}", topology.number_of_face(i));
-}
-std::string element_name(const Topology& topology, const std::array<MeshIndex, 2>& corners, std::size_t) {
-  return fmt::format("edge {}", corners_text(topology, corners));
-}
-
-/// @throws FileError  for the first fault of the elements that Mesh would find, by the numbers in the file
-template <std::size_t N>
-void refuse_faults(const Topology& topology, const std::vector<std::array<MeshIndex, N>>& elements,
-                   const std::string& file) {
-  constexpr const char* kSort = N == 3 ? "face" : "edge";
-  for (std::size_t i = 0; i < elements.size(); ++i) {
-    const auto& corners = elements[i];
-    for (std::size_t k = 0; k < N; ++k) {
-      if (corners[k] >= topology.vertex_count) {
-        io::fail(file, fmt::format("{} names vertex {}, and there are only {}", element_name(topology, corners, i),
-                                   topology.number_of_vertex(corners[k]), topology.vertex_count));
-      }
-      if (std::find(corners.begin(), corners.begin() + static_cast<std::ptrdiff_t>(k), corners[k]) ==
-          corners.begin() + static_cast<std::ptrdiff_t>(k)) {
-        continue;
-      }
-      io::fail(file, fmt::format("{} names vertex {} twice; its corners must be {} different vertices (mesh "
-                                 "--drop-degenerate leaves such elements out)",
-                                 element_name(topology, corners, i), topology.number_of_vertex(corners[k]), N));
-    }
-  }
-  std::vector<std::pair<std::array<MeshIndex, N>, std::size_t>> sorted;
-  for (std::size_t i = 0; i < elements.size(); ++i) {
-    sorted.emplace_back(elements[i], i);
-    std::sort(sorted.back().first.begin(), sorted.back().first.end());
-  }
-  std::sort(sorted.begin(), sorted.end());
-  for (std::size_t i = 1; i < sorted.size(); ++i) {
-    if (sorted[i].first != sorted[i - 1].first) continue;
-    const std::size_t one = sorted[i - 1].second, two = sorted[i].second;
-    io::fail(file, fmt::format("{} has the same corners as {}, vertices {}; each {} may be given once (mesh "
-                               "--drop-degenerate leaves the others out)",
-                               element_name(topology, elements[two], two), element_name(topology, elements[one], one),
-                               corners_text(topology, sorted[i].first), kSort));
-  }
-}
 
 [[noreturn]] void refuse_change(const FrameName& before, const FrameName& after, const std::string& what) {
   io::fail(after.file,
@@ -208,8 +155,7 @@ Mesh mesh_of(const Topology& topology, const Separation& separation, const std::
     if (!parts.empty() && !mesh.has_pairs()) io::fail(file, "has no two parts that are left to ask about");
     return mesh;
   } catch (const InvalidMesh& error) {
-    refuse_faults(topology, topology.faces, file);
-    refuse_faults(topology, topology.edges, file);
+    check_elements(topology, file);
     io::fail(file, error.what());
   }
 }

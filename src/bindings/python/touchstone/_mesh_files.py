@@ -48,7 +48,15 @@ def _counted(result: Any, arrays: _Arrays) -> Any:
     return result
 
 
-def _mesh_of(arrays: _Arrays, path: Any, between_parts: bool) -> Mesh:
+def _mesh_of(reader: Any, arrays: _Arrays, path: Any, between_parts: bool) -> Mesh:
+    try:
+        return _mesh_of_arrays(arrays, path, between_parts)
+    except ValueError:
+        reader.check_elements(os.fsdecode(path))  # names the file and the remedy
+        raise
+
+
+def _mesh_of_arrays(arrays: _Arrays, path: Any, between_parts: bool) -> Mesh:
     positions, faces, edges, points, parts, face_parts = arrays[:6]
     # Vertices in no element of the file do not collide, and corners are no loose points.
     loose = np.setdiff1d(points, np.concatenate([faces.ravel(), edges.ravel()]))
@@ -170,16 +178,32 @@ def read_mesh(path: _Path, *, triangulate: bool = False, between_parts: bool = F
     >>> file.mesh, file.positions[2].tolist()
     (<Mesh: 4 vertices, 1 faces, 3 edges, 1 loose points>, [0.0, 0.1, 0.0])
     """
-    arrays = _core.MeshReader(triangulate, weld, drop_degenerate).read(os.fsdecode(path))
-    return _counted(MeshFile(_mesh_of(arrays, path, between_parts), arrays[0], arrays[4], arrays[5]), arrays)
+    reader = _core.MeshReader(triangulate, weld, drop_degenerate)
+    arrays = reader.read(_decoded(path, "path is", "a file's name"))
+    return _counted(MeshFile(_mesh_of(reader, arrays, path, between_parts), arrays[0], arrays[4], arrays[5]), arrays)
+
+
+def _decoded(path: Any, what: str, right: str) -> str:
+    if not isinstance(path, (str, bytes, os.PathLike)):
+        raise TypeError(f"{what} of type {type(path).__name__}; it must be {right}")
+    return os.fsdecode(path)
 
 
 def _frame_files(paths: Union[_Path, Iterable[_Path]], in_order: Optional[bool]) -> List[str]:
     if isinstance(paths, (str, bytes, os.PathLike)):
         if os.path.isfile(paths):
             raise TypeError("paths must be several files, a folder or a pattern; read_mesh reads one")
-        return _core.frame_files([os.fsdecode(paths)], bool(in_order))
-    return _core.frame_files([os.fsdecode(path) for path in paths], in_order is None or in_order)
+        names = [os.fsdecode(paths)] if paths else []
+    elif isinstance(paths, Iterable):
+        names = [_decoded(path, "paths has an element", "the name of a file or a folder, or a pattern")
+                 for path in paths]
+    else:
+        raise TypeError(f"paths is of type {type(paths).__name__}; it must be a folder, a pattern such as "
+                        "'cloth-*.obj', or a list of files")
+    if not names:
+        raise ValueError("paths is empty; it must be the files of the frames")
+    one = isinstance(paths, (str, bytes, os.PathLike))
+    return _core.frame_files(names, bool(in_order) if one else in_order is None or in_order)
 
 
 def read_frames(paths: Union[_Path, Iterable[_Path]], *, in_order: Optional[bool] = None, triangulate: bool = False,
@@ -207,11 +231,9 @@ def read_frames(paths: Union[_Path, Iterable[_Path]], *, in_order: Optional[bool
     ((2, 4, 3), True)
     """
     names = _frame_files(paths, in_order)
-    if not names:
-        raise ValueError("paths is empty; it must be the files of the frames")
     reader = _core.MeshReader(triangulate, weld, drop_degenerate)
     first = reader.read(names[0])
-    mesh = _mesh_of(first, names[0], between_parts)
+    mesh = _mesh_of(reader, first, names[0], between_parts)
     positions = [first[0]]
     for name in names[1:]:
         arrays = reader.read(name)
