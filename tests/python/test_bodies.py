@@ -109,6 +109,11 @@ def test_the_sign_of_a_quaternion_and_the_order_of_its_components():
     end[0, 3:] *= -1
     short = bodies.first_contact(start, end, quaternion="wxyz")
     assert short.free and short.turned.tolist() == [0]
+    for pairs in (bodies.all_contacts(start, end, quaternion="wxyz"), bodies.candidates(start, end, quaternion="wxyz"),
+                  short.earliest, short.at_start):
+        assert pairs.turned.tolist() == [0] and repr(pairs).endswith("; 1 body takes the shorter turn>")
+        assert pairs[:0].turned.tolist() == [0] and pickle.loads(pickle.dumps(pairs)).turned.tolist() == [0]
+    assert bodies.all_contacts(start, end, quaternion="wxyz", turn="as_given").turned.tolist() == []
     assert repr(short) == "<FirstBodyContact: free; 1 body takes the shorter turn>"
     long = bodies.first_contact(start, end, quaternion="wxyz", turn="as_given")
     assert long.contact and long.turned.tolist() == [] and 0 < long.toi < 1
@@ -183,6 +188,10 @@ def test_rules_leave_pairs_of_bodies_out():
         bodies = ts.Bodies(row, **rules)
         found = bodies.first_contact(start, start, quaternion="wxyz", check_start=False)
         pairs = found.at_start
+        all_ = bodies.all_contacts(start, start, quaternion="wxyz")
+        near = bodies.candidates(start, start, quaternion="wxyz")
+        assert pairs.excluded == all_.excluded == near.excluded == near[:1].excluded == found.excluded
+        assert ("left out" in repr(all_)) == (found.excluded > 0)
         return found.excluded, {tuple(sorted(ab)) for ab in zip(pairs.first_body.tolist(), pairs.second_body.tolist())}
 
     assert touching() == (0, {(0, 1), (1, 2)})

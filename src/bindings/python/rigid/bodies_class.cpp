@@ -54,8 +54,7 @@ start, end    the poses at t = 0 and t = 1, of shape (k, 7): x, y, z of the body
 quaternion    'wxyz' or 'xyzw': the order of the components. It has no default, because both orders are common, and the
               wrong one gives other orientations without an error
 turn          'shorter': where q0 . q1 < 0, as recorded poses often have it by chance, the body takes the shorter turn
-              to the same orientation, by -q1; `turned` of the results of first_contact and free_step has these
-              bodies. 'as-given': it takes the longer
+              to the same orientation, by -q1; `turned` of the results has these bodies. 'as-given': it takes the longer
 threads       1 (default) to 1024, or 0 for as many as the machine has; it changes nothing in the result
 
 Over the step the quaternion is (1 - t) q0 + t q1, and the position (1 - t) p0 + t p1: both ends are met exactly. Every
@@ -202,8 +201,10 @@ void define_questions(py::class_<Bodies>& bound) {
              py::handle thread_count) {
             const BodySteps steps(self, x0, x1, order_of(order), turn_of(which));
             const double last = number_of(until, "t_max");
+            const std::size_t excluded = rigid::CollidingBodies(self).excluded();
             return steps.each(thread_count, [&](const AskedMotions& one, const MeshOptions& options) {
-              return pairs_of(all_contacts(self, one.motions, step_options(options, last, false)));
+              return pairs_of(all_contacts(self, one.motions, step_options(options, last, false)),
+                              {excluded, one.turned});
             });
           },
           start, end, py::kw_only(), quaternion, turn, t_max, threads,
@@ -213,8 +214,9 @@ void define_questions(py::class_<Bodies>& bound) {
           [](const Bodies& self, py::handle x0, py::handle x1, py::handle order, py::handle which,
              py::handle thread_count) {
             const BodySteps steps(self, x0, x1, order_of(order), turn_of(which));
+            const std::size_t excluded = rigid::CollidingBodies(self).excluded();
             return steps.each(thread_count, [&](const AskedMotions& one, const MeshOptions& options) {
-              return BodyPairs{candidates(self, one.motions, options), {}, {}};
+              return BodyPairs{candidates(self, one.motions, options), {}, {}, {excluded, one.turned}};
             });
           },
           start, end, py::kw_only(), quaternion, turn, threads,

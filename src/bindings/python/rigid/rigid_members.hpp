@@ -57,8 +57,12 @@ void members(Archive& archive, FirstBodyContact& x) {
           x.cancelled, x.excluded);
 }
 template <class Archive>
+void members(Archive& archive, LeftOut& x) {
+  archive(x.excluded, x.turned);
+}
+template <class Archive>
 void members(Archive& archive, BodyPairs& x) {
-  archive(x.pairs, x.separations, x.answers);
+  archive(x.pairs, x.separations, x.answers, x.left_out);
 }
 template <class Archive>
 void members(Archive& archive, BodyIntersections& x) {

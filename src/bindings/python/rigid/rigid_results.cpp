@@ -2,6 +2,7 @@
 #include "python/rigid/rigid_results.hpp"
 
 #include <string>
+#include <utility>
 
 #include "python/answers.hpp"
 #include "python/arguments.hpp"
@@ -49,6 +50,30 @@ class ResultColumns {
   std::vector<Item> Results::*all_;
 };
 
+/// "; 3 pairs of bodies left out", or nothing where there are none.
+std::string count_text(std::size_t count, const char* one, const char* many) {
+  return count == 0 ? "" : "; " + std::to_string(count) + " " + (count == 1 ? one : many);
+}
+std::string excluded_text(std::size_t excluded) {
+  return count_text(excluded, "pair of bodies left out", "pairs of bodies left out");
+}
+std::string turned_text(std::size_t turned) {
+  return count_text(turned, "body takes the shorter turn", "bodies take the shorter turn");
+}
+
+/// Defines what a question about bodies leaves out, and what it changed before.
+template <class Results, class Excluded, class Turned>
+void define_left_out(py::class_<Results>& bound, const Excluded& excluded, const Turned& turned) {
+  bound.def_property_readonly("excluded", excluded, "how many pairs of bodies the rules left out")
+      .def_property_readonly(
+          "turned",
+          [turned](const py::object& self) {
+            const std::vector<BodyIndex>& all = turned(self.cast<const Results&>());
+            return column_of<BodyIndex>(all, all.data(), self);
+          },
+          "(m,) uint32: the bodies that took the shorter turn in place of the longer one that their quaternions say");
+}
+
 void define_body_pairs(py::module_& module) {
   py::class_<BodyPairs> bound = define_class<BodyPairs>(
       module, "BodyPairs",
@@ -62,9 +87,18 @@ void define_body_pairs(py::module_& module) {
       },
       [](const BodyPairs& self, const std::vector<std::size_t>& chosen) {
         return BodyPairs{items_at(self.pairs, chosen), items_at(self.separations, chosen),
-                         items_at(self.answers, chosen)};
+                         items_at(self.answers, chosen), self.left_out};
       });
-  bound.def("__repr__", [](const BodyPairs& self) { return "<BodyPairs: " + std::to_string(self.pairs.size()) + ">"; })
+  define_left_out(
+      bound, [](const BodyPairs& self) { return self.left_out.excluded; },
+      [](const BodyPairs& self) -> const std::vector<BodyIndex>& { return self.left_out.turned; });
+  bound
+      .def("__repr__",
+           [](const BodyPairs& self) {
+             const auto& [excluded, turned] = self.left_out;
+             return "<BodyPairs: " + std::to_string(self.pairs.size()) + excluded_text(excluded) +
+                    turned_text(turned.size()) + ">";
+           })
       .def_property_readonly(
           "separation",
           [](const py::object& self) {
@@ -114,17 +148,12 @@ std::string double_text(double number) { return std::string(py::repr(py::float_(
 
 /// What a verdict is not about, and what was changed before it: "; start not checked; 1 pair of bodies left out".
 std::string left_out_text(const FoundBodyContact& self) {
-  const auto counted = [](std::size_t count, const char* one, const char* many) {
-    return "; " + std::to_string(count) + " " + (count == 1 ? one : many);
-  };
   std::string text;
   if (self.t_max < 1) text += "; only up to " + double_text(self.t_max);
   if (!self.found.start_checked) text += "; start not checked";
-  if (self.found.excluded > 0) text += counted(self.found.excluded, "pair", "pairs") + " of bodies left out";
-  if (self.found.in_open > 0) text += counted(self.found.in_open, "piece", "pieces") + " in the box of an open surface";
-  if (self.found.cancelled > 0) text += counted(self.found.cancelled, "piece", "pieces") + " in a cavity";
-  if (!self.turned.empty()) text += counted(self.turned.size(), "body takes", "bodies take") + " the shorter turn";
-  return text;
+  return text + excluded_text(self.found.excluded) +
+         count_text(self.found.in_open, "piece in the box of an open surface", "pieces in the box of an open surface") +
+         count_text(self.found.cancelled, "piece in a cavity", "pieces in a cavity") + turned_text(self.turned.size());
 }
 
 std::string verdict_of(const FoundBodyContact& self) {
@@ -142,13 +171,17 @@ auto of_found(Member FirstBodyContact::*member) {
   return [member](const FoundBodyContact& self) { return self.found.*member; };
 }
 auto contacts_of(std::vector<BodyContact> FirstBodyContact::*member) {
-  return [member](const FoundBodyContact& self) { return pairs_of(self.found.*member); };
+  return [member](const FoundBodyContact& self) {
+    return pairs_of(self.found.*member, {self.found.excluded, self.turned});
+  };
 }
 
 void define_first_body_contact(py::module_& module) {
   py::class_<FoundBodyContact> bound =
       define_class<FoundBodyContact>(module, "FirstBodyContact", "The first contact of bodies in a step.");
   define_pickle(bound);
+  define_left_out(bound, of_found(&FirstBodyContact::excluded),
+                  [](const FoundBodyContact& self) -> const std::vector<BodyIndex>& { return self.turned; });
   bound
       .def_property_readonly("contact", of_found(&FirstBodyContact::contact),
                              "whether elements of two bodies that are not in contact at the start come into contact")
@@ -168,19 +201,10 @@ void define_first_body_contact(py::module_& module) {
                              "BodyPairs: every pair whose contact begins at exactly that time")
       .def_property_readonly("at_start", contacts_of(&FirstBodyContact::at_start),
                              "BodyPairs: every pair in contact at t = 0")
-      .def_property_readonly("excluded", of_found(&FirstBodyContact::excluded),
-                             "how many pairs of bodies the rules left out")
       .def_property_readonly("in_open", of_found(&FirstBodyContact::in_open),
                              "how many pieces of bodies are in the box around an open surface, which has no inside")
       .def_property_readonly("cancelled", of_found(&FirstBodyContact::cancelled),
                              "how many pieces are in closed surfaces of opposite orientation, as in a cavity")
-      .def_property_readonly(
-          "turned",
-          [](const py::object& self) {
-            const auto& turned = self.cast<const FoundBodyContact&>().turned;
-            return column_of<BodyIndex>(turned, turned.data(), self);
-          },
-          "(m,) uint32: the bodies that took the shorter turn in place of the longer one that their quaternions say")
       .def_readonly("t_max", &FoundBodyContact::t_max, "the end of the time that was asked about")
       .def("__repr__", [](const FoundBodyContact& self) {
         return "<FirstBodyContact: " + verdict_of(self) + left_out_text(self) + ">";
@@ -214,8 +238,9 @@ void define_free_body_step(py::module_& module) {
 
 }  // namespace
 
-BodyPairs pairs_of(const std::vector<BodyContact>& contacts) {
+BodyPairs pairs_of(const std::vector<BodyContact>& contacts, LeftOut left_out) {
   BodyPairs all;
+  all.left_out = std::move(left_out);
   for (const BodyContact& contact : contacts) {
     all.pairs.push_back(contact.pair);
     all.separations.push_back(contact.separation.distance);

@@ -5,12 +5,19 @@
 #include <touchstone/bodies.hpp>
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
 #include "python/define.hpp"
 
 namespace touchstone::python {
+
+/// What a question leaves out, and what it changed before.
+struct LeftOut {
+  std::size_t excluded = 0;       ///< pairs of bodies, by the rules
+  std::vector<BodyIndex> turned;  ///< the bodies that took the shorter turn in place of the one that was given
+};
 
 /// Pairs of elements of bodies and, of contacts, the answers to their queries.
 struct BodyPairs {
@@ -19,9 +26,10 @@ struct BodyPairs {
   std::vector<BodyPair> pairs;
   std::vector<double> separations;
   std::vector<Answer> answers;
+  LeftOut left_out;
 };
 
-BodyPairs pairs_of(const std::vector<BodyContact>& contacts);
+BodyPairs pairs_of(const std::vector<BodyContact>& contacts, LeftOut left_out);
 
 struct BodyIntersections {
   using BoundToPython = void;

@@ -190,6 +190,8 @@ class BodyPairs:
     second: _Indices
     separation: _Doubles
     answers: Answers
+    excluded: int
+    turned: _Indices
     def __len__(self) -> int: ...
     @overload
     def __getitem__(self, i: int) -> _BodyPair: ...
