@@ -127,6 +127,9 @@ def test_masks_and_several_numbers():
     for wrong in ("a", 1.5, (0, 1), None, [0.5], [[0, 1]], np.float64(1), np.zeros(0), {}):
         with pytest.raises(TypeError, match="the index is"):
             answers[wrong]
+    for wrong in (True, False, np.True_, np.array(True)):  # a bool is no number of an answer, and no mask
+        with pytest.raises(TypeError, match="the index is (numpy.)?(bool|ndarray)"):
+            answers[wrong]
     with pytest.raises(ValueError, match=r"index\[1\] is masked"):
         answers[np.ma.array([0, 1], mask=[False, True])]
 

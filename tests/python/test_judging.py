@@ -72,7 +72,10 @@ def test_wrong_claims_need_not_count():
                                   (dict(late_fraction=math.nan), ValueError, "late_fraction"),
                                   (dict(late_fraction="1"), TypeError, "late_fraction"),
                                   (dict(classes=["early"]), ValueError, "'missed'"),
-                                  (dict(classes="holds"), ValueError, "is not wrong"), (dict(classes=5), TypeError, ""),
+                                  (dict(classes="holds"), ValueError, "one of 'missed', 'phantom', 'late'$"),
+                                  (dict(classes=["foo"]), ValueError, "it must be one of 'missed', 'phantom', 'late'$"),
+                                  (dict(classes=5), TypeError, "classes is of type int"),
+                                  (dict(classes=[3]), TypeError, "classes has an element of type int"),
                                   (dict(classes=[]), ValueError, "classes is empty; None stands for all"),
                                   (dict(late=1), TypeError, "here it is 'late_ulps'")):
         with pytest.raises(error, match=words):

@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include "geometry/kind_aliases.hpp"
 
@@ -21,9 +22,9 @@ std::optional<Kind> value_named<Kind>(const std::string& name) {
   return geometry::kind_named(name);
 }
 
-/// The value of E with this name, in which '_' may stand for '-'.
+/// The value of E with this name, in which '_' may stand for '-'. @param none  a value that is not one of those
 template <class E>
-E value_of(py::handle name, const char* what) {
+E value_of(py::handle name, const char* what, std::optional<E> none = std::nullopt) {
   if (!PyUnicode_Check(name.ptr())) {
     throw py::type_error(std::string(what) + " is of type " + Py_TYPE(name.ptr())->tp_name + "; it must be a string");
   }
@@ -32,11 +33,14 @@ E value_of(py::handle name, const char* what) {
   if (text == nullptr) throw py::error_already_set();
   std::string given(text, static_cast<std::size_t>(size));
   std::replace(given.begin(), given.end(), '_', '-');
-  if (const auto value = value_named<E>(given)) return *value;
+  if (const auto value = value_named<E>(given); value && value != none) return *value;
   std::string message = std::string(what) + " is " + std::string(py::str(py::repr(name))) + "; it must be one of ";
   const Names names = names_of<E>();
-  for (const std::string_view& known : names)
-    message.append(&known == names.begin() ? "'" : ", '").append(known).append("'");
+  const char* before = "'";
+  for (const std::string_view& known : names) {
+    if (none && known == name_of(*none)) continue;
+    message.append(std::exchange(before, ", '")).append(known).append("'");
+  }
   throw py::value_error(message);
 }
 
@@ -58,7 +62,7 @@ MeshElement element_of(py::handle name) { return value_of<MeshElement>(name, "th
 IntersectionSort intersection_sort_of(py::handle name) {
   return value_of<IntersectionSort>(name, "the sort of the intersection");
 }
-Verdict verdict_of(py::handle name) { return value_of<Verdict>(name, "one of classes"); }
+Verdict refuted_verdict_of(py::handle name) { return value_of<Verdict>(name, "one of classes", Verdict::holds); }
 
 py::dict all_names() {
   py::dict all;

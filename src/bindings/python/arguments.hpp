@@ -32,7 +32,7 @@ Method method_of(py::handle name);
 Wanted wanted_of(py::handle name);
 MeshElement element_of(py::handle name);
 IntersectionSort intersection_sort_of(py::handle name);
-Verdict verdict_of(py::handle name);
+Verdict refuted_verdict_of(py::handle name);  ///< of a wrong claim
 
 /// The names of the enumerations, by the enumeration's name: {"Kind": ("edge-edge", ...), ...}.
 py::dict all_names();

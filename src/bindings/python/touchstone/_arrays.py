@@ -85,7 +85,8 @@ def places(several, count, what):
     if array is not None and array.size == 0 and isinstance(several, list):
         array = array.astype(np.int64)
     if array is None or array.dtype.kind not in "biu" or array.ndim != 1:
-        given = type(several).__name__ if array is None else f"an array of {array.dtype} of shape {array.shape}"
+        given = (type(several).__name__ if array is None or array.ndim == 0 else
+                 f"an array of {array.dtype} of shape {array.shape}")
         raise TypeError(f"the index is {given}; it must be a whole number, a slice, a bool for each {what}, or several "
                         "whole numbers")
     if array.dtype.kind == "b":

@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 from . import _core
 from ._core import FuzzReport
 from ._hints import hinting
+from ._names import _Named
 from ._queries import Kind, Metric
 
 _MOST = 2**64 - 1
@@ -29,7 +30,9 @@ def _words(words, name):
     """None, or a list of strings: one at least."""
     if words is None:
         return None
-    given = [words] if isinstance(words, str) else list(words)
+    if not isinstance(words, Iterable):
+        raise TypeError(f"{name} is of type {type(words).__name__}; it must be a list of strings")
+    given = [words] if isinstance(words, str) else [str(word) if isinstance(word, _Named) else word for word in words]
     for word in given:
         if not isinstance(word, str):
             raise TypeError(f"{name} has an element of type {type(word).__name__}; they must be strings")

@@ -158,8 +158,7 @@ def certify(kind: Kind, start: ArrayLike, end: ArrayLike, contact: ArrayLike, to
             row = infinite[0]
             raise ValueError(f"row {row}: the claimed toi is {times[row]}; it must be finite, or NaN for none")
     ulps = None if late_ulps is None else _whole(late_ulps, "late_ulps")
-    names = classes if classes is None or isinstance(classes, str) else [str(one) for one in classes]
-    verdict, not_counted = _core.judge(truth, claimed, times, ulps, late_fraction, _words(names, "classes"))
+    verdict, not_counted = _core.judge(truth, claimed, times, ulps, late_fraction, _words(classes, "classes"))
     early = np.where(claimed & (verdict == Verdict.holds), truth.toi - times, np.nan)
     asked = (start, end, t_max, np.broadcast_to(np.asarray(separation, float), verdict.shape), metric)
     found = Certificate(verdict, truth, early, not_counted)
