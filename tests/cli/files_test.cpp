@@ -46,7 +46,12 @@ TEST_CASE("damage is named with file and row, and leaves no output behind, whate
           replaced(good, "-1,1,0,1,0,1,1", "-1,1,0,1,0,1,0"),
           ":4: truth is 0 here and 1 in row 1, where the same query 0 starts; all 4 rows of a point-point query must "
           "agree"},
-      Damage{"# nothing\n", ": holds no query; a query is 4 rows x_num,x_den,y_num,y_den,z_num,z_den,truth"});
+      Damage{
+          "# nothing\n",
+          ": holds no query; a row is a corner as fractions, with 7 columns: "
+          "x_num,x_den,y_num,y_den,z_num,z_den,truth, or "
+          "6 without truth; a corner as decimals, x,y,z with 3, or 4 with truth; or a whole point-point query, with 12 "
+          "decimals, and truth or not"});
   const TemporaryFolder folder;
   const std::string file = folder.write("point-point/bad.csv", damage.text);
   const std::string first = folder.write("point-point/good.csv", good);

@@ -78,12 +78,35 @@ TEST_CASE("every format gives the coordinates bit for bit, and the elements") {
 TEST_CASE("the ending of a name says the format in either case") {
   const TemporaryFolder folder;
   CHECK(read(folder, "A.OBJ", obj_of("")).topology->vertex_count == 4);
-  for (const char* const name : {"mesh.txt", "obj", "x.obj.gz", ""}) {
-    CHECK_THROWS_WITH(read_frame(name, 0, {}), Catch::Contains("meshio convert a.x a.ply"));
-  }
-  for (const char* const name : {"a.abc", "a.USDC", "a.b.fbx"}) {
-    CHECK_THROWS_WITH(read_frame(name, 0, {}), Catch::Contains("Blender writes its frames as .obj files"));
-  }
+  const auto refused = [&](const char* name, const std::string& content, const char* reason) {
+    CHECK_THROWS_WITH(read_frame(folder.write(name, content), 0, {}), Catch::Contains(reason));
+  };
+  for (const char* const name : {"mesh.txt", "obj"}) refused(name, "x", "meshio convert a.inp a.ply");
+  for (const char* const name : {"a.abc", "a.USDC", "a.b.fbx"}) refused(name, "", "Blender writes its frames as .obj");
+  for (const char* const name : {"a.step", "a.STP", "a.iges"}) refused(name, "", "gmsh -2 a.step -o a.stl");
+  refused("a.3mf", "PK\x03\x04", "trimesh.load_mesh('a.3mf').export('a.ply')");
+  // What is not there has another fault than its ending.
+  CHECK_THROWS_WITH(read_frame(folder.path("none"), 0, {}), Catch::Contains("none: cannot be opened: No such file"));
+}
+
+TEST_CASE("packed mesh files and text of UTF-16 are named with the remedy") {
+  const TemporaryFolder folder;
+  const auto refused = [&](const char* name, const std::string& content, const char* reason) {
+    CHECK_THROWS_WITH(read(folder, name, content), Catch::Contains(reason));
+  };
+  const std::string packed = "\x1F\x8B\x08xxxxxxxxx";
+  for (const char* const name : {"a.obj.gz", "a.obj", "a.ply", "a.stl"}) refused(name, packed, "is packed by gzip");
+  for (const char* const name : {"a.obj", "a.off", "a.stl"}) refused(name, "\xFF\xFEv", "is text in UTF-16");
+  refused("b.obj",
+          std::string("v\0 \0"
+                      "1\0",
+                      6),
+          "is text in UTF-16");
+  // A binary STL file may have any 80 bytes first.
+  std::string facet =
+      packed + std::string(80 - packed.size(), ' ') + std::string("\1\0\0\0", 4) + std::string(50, '\0');
+  facet[84 + 14] = facet[84 + 15] = facet[84 + 28] = facet[84 + 29] = '\x3f';
+  CHECK(read(folder, "b.stl", facet).topology->faces.size() == 1);
 }
 
 TEST_CASE("objects and groups of an OBJ file are parts, each once") {

@@ -122,7 +122,7 @@ TEST_CASE("faults of decimals are named with what would be right") {
   CHECK(error("1,2,3\n") == ":1: the file ends within query 0, which has 1 row; a point-point query has 4");
   CHECK(error("1,2,3,1\n1,2,3,0\n").starts_with(":2: truth is 0 here and 1 in row 1"));
   CHECK(error("1,2,3,2\n") == ":1: truth is '2'; it must be 0 or 1, true or false, or yes or no");
-  CHECK(error("1,2,3,4,5\n").starts_with(":1: 5 columns; a row is a corner as fractions, with 7: x_num"));
+  CHECK(error("1,2,3,4,5\n").starts_with(":1: 5 columns; a row is a corner as fractions, with 7 columns: x_num"));
   CHECK(error("1,2,3,4,5,6,7,8,9,0,1,inf\n") ==
         ":1: z of q at t = 1 is 'inf'; it must be a number such as -0.25, 1e-3 or 0x1p-2");
   CHECK(error("1,2,1e-5000\n") == ":1: z is '1e-5000'; as a fraction it has more than 4096 digits");

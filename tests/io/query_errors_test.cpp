@@ -45,7 +45,11 @@ std::string message_of(const std::exception& error) { return error.what(); }
 }  // namespace
 
 TEST_CASE("a file without a query is refused") {
-  const std::string reason = "q.csv: holds no query; a query is 4 rows x_num,x_den,y_num,y_den,z_num,z_den,truth";
+  const std::string reason =
+      "q.csv: holds no query; a row is a corner as fractions, with 7 columns: "
+      "x_num,x_den,y_num,y_den,z_num,z_den,truth, "
+      "or 6 without truth; a corner as decimals, x,y,z with 3, or 4 with truth; or a whole point-point query, with 12 "
+      "decimals, and truth or not";
   CHECK(error_of("", 0) == reason);
   CHECK(error_of("\n\n", 0) == reason);
   CHECK(error_of("\xEF\xBB\xBF# nothing\r\n", 0) == reason);

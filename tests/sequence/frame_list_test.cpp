@@ -130,14 +130,23 @@ TEST_CASE("a folder stands for the mesh files in it, which are of one format") {
   CHECK(expand_patterns({run}) == NameList{run + "/f-1.obj", run + "/f-2.obj"});
   CHECK(expand_patterns({run + "/"}) == NameList{run + "/f-1.obj", run + "/f-2.obj"});
   folder.write("r [1]/a.PLY", "");
-  CHECK_THROWS_WITH(expand_patterns({run}), Contains("frames of several formats (1 .PLY, 2 .obj)"));
+  CHECK_THROWS_WITH(expand_patterns({run}),
+                    Contains("files of several formats (2 .obj, 1 .ply); name those of one, such as "));
   folder.write("mixed/a.obj", "");
-  folder.write("mixed/b.usd", "");
-  CHECK_THROWS_WITH(expand_patterns({folder.path("mixed")}), Contains("b.usd, a format that is not read"));
-  for (const std::string ending : {"ply", "stl", "vtk", "vtu", "vtp", "off", "msh", "gltf", "glb"}) {
-    folder.write(ending + "/a-1." + ending, "");
-    CHECK(expand_patterns({folder.path(ending)}) == NameList{folder.path(ending + "/a-1." + ending)});
+  folder.write("mixed/b.FBX", "");
+  CHECK_THROWS_WITH(expand_patterns({folder.path("mixed")}), Contains("b.FBX, a format that is not read"));
+  folder.write("models/a.step", "");
+  CHECK_THROWS_WITH(expand_patterns({folder.path("models")}), Contains("a.step: is a file of curved surfaces"));
+  for (const std::string ending : {"obj", "ply", "stl", "vtk", "vtu", "vtp", "off", "msh", "gltf", "glb", "npy", "h5",
+                                   "hdf5", "pc2", "mdd", "VTU", "Stl"}) {
+    folder.write(ending + "/f-1." + ending, "");
+    folder.write(ending + "/f-2." + ending, "");
+    CHECK(expand_patterns({folder.path(ending)}).size() == 2);
   }
+  const std::string one = folder.path("one");
+  folder.write("one/f-1.OBJ", "");
+  folder.write("one/f-2.obj", "");
+  CHECK(expand_patterns({one}) == NameList{one + "/f-1.OBJ", one + "/f-2.obj"});
   CHECK_THROWS_WITH(expand_patterns({folder.path("nothing")}), Contains("nothing: is no file, no folder, and no"));
   folder.write("none/notes.txt", "");
   CHECK_THROWS_WITH(expand_patterns({folder.path("none")}), Contains("is a folder without mesh files"));

@@ -6,6 +6,7 @@
 
 #include "frames/text_scanner.hpp"
 #include "io/fail.hpp"
+#include "io/foreign_bytes.hpp"
 
 namespace touchstone::frames {
 
@@ -19,8 +20,12 @@ bool ends_with(std::string_view name, std::string_view ending) {
 
 io::WholeFile read_content(const std::string& file, io::InputFile::Checkpoint checkpoint) {
   io::FileLimits limits = kMeshLimits;
-  if (format_of(file) != Format::obj) limits.line = 0;  // bytes, or a list of numbers on one line
-  return io::WholeFile::read(file, limits, checkpoint);
+  const Format format = format_of(file);
+  if (format != Format::obj) limits.line = 0;  // bytes, or a list of numbers on one line
+  io::WholeFile content = io::WholeFile::read(file, limits, checkpoint);
+  const bool may_start_so = format == Format::stl || format == Format::npy;  // a binary STL file has any 80 bytes first
+  if (!may_start_so) io::refuse_foreign_bytes(file, content.bytes());
+  return content;
 }
 
 std::optional<Format> known_format_of(const std::string& file) {
@@ -47,18 +52,47 @@ std::optional<Format> known_format_of(const std::string& file) {
 
 bool has_text_rows(const std::string& file) { return ends_with(file, ".csv") || ends_with(file, ".txt"); }
 
+std::string fault_of_unread_format(const std::string& file) {
+  struct Unread {
+    std::string_view ending, fault;
+  };
+  constexpr std::string_view kAnimation =
+      "is a file of an animation program, which is not read; Blender writes its frames as .obj files (File > Export > "
+      "Wavefront, with Animation)";
+  constexpr std::string_view kDesign =
+      "is a file of curved surfaces, which is not read; gmsh, a program of its own, makes triangles of them: gmsh -2 "
+      "a.step -o a.stl";
+  constexpr std::string_view kPrint =
+      "is a file for printing, which is not read; trimesh, a package of Python, makes another of it: "
+      "trimesh.load_mesh('a.3mf').export('a.ply')";
+  constexpr std::string_view kHoudini = "is a file of Houdini, which is not read; save the geometry there as .obj";
+  constexpr std::string_view kGrid =
+      "is a file of meshes that is not read; meshio, a program of its own, makes another of it: meshio convert a.xdmf "
+      "a.ply";
+  constexpr Unread kUnread[] = {
+      {".abc", kAnimation},  {".blend", kAnimation}, {".dae", kAnimation},  {".fbx", kAnimation}, {".usd", kAnimation},
+      {".usda", kAnimation}, {".usdc", kAnimation},  {".usdz", kAnimation}, {".3ds", kAnimation}, {".x3d", kAnimation},
+      {".step", kDesign},    {".stp", kDesign},      {".iges", kDesign},    {".igs", kDesign},    {".brep", kDesign},
+      {".3mf", kPrint},      {".bgeo", kHoudini},    {".xdmf", kGrid}};
+  for (const auto& [ending, fault] : kUnread) {
+    if (ends_with(file, ending)) return std::string(fault);
+  }
+  return {};
+}
+
 Format format_of(const std::string& file) {
   if (const auto format = known_format_of(file)) return *format;
-  for (const std::string_view ending : {".abc", ".blend", ".dae", ".fbx", ".usd", ".usda", ".usdc", ".usdz"}) {
-    if (!ends_with(file, ending)) continue;
-    io::fail(file,
-             "is a file of an animation program, which is not read; Blender writes its frames as .obj files (File > "
-             "Export > Wavefront, with Animation)");
+  const auto size = io::InputFile::check(file);  // a name that is misspelt has another fault than its ending
+  if (const std::string fault = fault_of_unread_format(file); !fault.empty()) io::fail(file, fault);
+  if (size) {  // a.obj.gz
+    std::string start(io::kForeignStart, '\0');
+    start.resize(io::InputFile::open(file).read(start.data(), start.size()));
+    io::refuse_foreign_bytes(file, start);
   }
   io::fail(file,
            "has an ending that is not known; right are .obj, .ply, .stl, .vtk, .vtu, .vtp, .off, .msh, .gltf, .glb, "
-           ".npy, .h5, .hdf5, .pc2 and .mdd; meshio, a program of its own, makes one of another: meshio convert a.x "
-           "a.ply");
+           ".npy, .h5, .hdf5, .pc2 and .mdd; meshio, a program of its own, makes these of some others: meshio convert "
+           "a.inp a.ply");
 }
 
 }  // namespace touchstone::frames

@@ -9,6 +9,7 @@
 #include "frames/text_scanner.hpp"
 #include "io/bytes.hpp"
 #include "io/fail.hpp"
+#include "io/foreign_bytes.hpp"
 
 namespace touchstone::frames {
 namespace {
@@ -169,6 +170,7 @@ class TextReader {
 MeshFile read_stl(std::string_view file, std::string_view content) {
   const bool has_count = content.size() >= kHeader;
   if (has_count && binary_size(content) == content.size()) return read_binary(file, content);
+  io::refuse_foreign_bytes(file, content);
   const bool is_text = content.substr(0, kHeader).find('\0') == std::string_view::npos;
   if (!is_text && has_count) {
     io::fail(file, "is no STL file: it is not text, and a binary file of " +

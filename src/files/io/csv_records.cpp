@@ -6,6 +6,7 @@
 
 #include "io/characters.hpp"
 #include "io/fail.hpp"
+#include "io/foreign_bytes.hpp"
 #include "io/separators.hpp"
 
 namespace touchstone::io {
@@ -13,7 +14,8 @@ namespace touchstone::io {
 CsvRecords::CsvRecords(InputFile file, std::size_t chunk_bytes, bool (*is_one_field)(std::string_view record))
     : file_(std::move(file)), chunk_bytes_(std::max<std::size_t>(chunk_bytes, 1)), is_one_field_(is_one_field) {
   constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
-  while (!at_end_ && buffer_.size() < kByteOrderMark.size()) fill();
+  while (!at_end_ && buffer_.size() < kForeignStart) fill();
+  refuse_foreign_bytes(name(), buffer_);
   if (buffer_.starts_with(kByteOrderMark)) at_ = kByteOrderMark.size();
 }
 

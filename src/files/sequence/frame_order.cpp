@@ -16,6 +16,7 @@
 #include <system_error>
 
 #include "frames/content.hpp"
+#include "io/answers/claim_columns.hpp"
 #include "io/fail.hpp"
 #include "sequence/frame_name.hpp"
 
@@ -183,36 +184,38 @@ std::string escaped(const std::string& name) {
   return pattern;
 }
 
-/// Endings of other mesh files, which a folder's frames must not be without.
-constexpr std::string_view kUnread[] = {".abc", ".usd", ".usda", ".usdc", ".usdz", ".fbx", ".dae",  ".3ds",
-                                        ".3mf", ".x3d", ".step", ".stp",  ".iges", ".igs", ".bgeo", ".xdmf"};
-
 /// The frames of a folder: its files of one format, in the order of their names. Other files in it are no frames.
 std::vector<std::string> frames_in(std::string folder) {
   while (folder.size() > 1 && folder.ends_with('/')) folder.pop_back();
-  std::map<std::string, std::vector<std::string>> by_ending;
+  std::map<std::string, std::vector<std::string>> by_ending;  // in lower case
+  std::set<std::string> patterns;
+  std::string unread;
+  const auto shown = [&](const std::string& ending) { return "'" + io::printable(folder + "/*" + ending) + "'"; };
   for (const std::string& file : matches_of(escaped(folder) + "/*")) {
     std::error_code ignored;
-    if (!frames::known_format_of(file) || std::filesystem::is_directory(file, ignored)) continue;
-    by_ending[std::filesystem::path(file).extension().string()].push_back(file);
-  }
-  if (by_ending.empty()) io::fail(folder, "is a folder without mesh files");
-  const auto such_as = [&] {
-    return "such as '" + io::printable(folder) + "/*" + io::printable(by_ending.begin()->first) + "'";
-  };
-  for (const std::string& file : matches_of(escaped(folder) + "/*")) {
+    if (std::filesystem::is_directory(file, ignored)) continue;
     const std::string ending = std::filesystem::path(file).extension().string();
-    if (std::find(std::begin(kUnread), std::end(kUnread), ending) != std::end(kUnread)) {
-      io::fail(folder,
-               "is a folder with " + base_name(file) + ", a format that is not read; name the files, " + such_as());
+    if (frames::known_format_of(file)) {
+      by_ending[io::in_lower_case(ending)].push_back(file);
+      patterns.insert(shown(ending));
+    } else if (!frames::fault_of_unread_format(file).empty()) {
+      unread = file;
     }
   }
+  if (by_ending.empty() && !unread.empty()) io::fail(unread, frames::fault_of_unread_format(unread));
+  if (by_ending.empty()) io::fail(folder, "is a folder without mesh files");
+  if (!unread.empty()) {  // perhaps frames that would be missed
+    io::fail(folder, "is a folder with " + base_name(unread) + ", a format that is not read; name the files, such as " +
+                         *patterns.begin());
+  }
   if (by_ending.size() == 1) return by_ending.begin()->second;
-  std::string endings;
+  std::string endings, all;
   for (const auto& [ending, files] : by_ending) {
     endings += (endings.empty() ? "" : ", ") + std::to_string(files.size()) + " " + io::printable(ending);
   }
-  io::fail(folder, "is a folder with frames of several formats (" + endings + "); name those of one, " + such_as());
+  for (const std::string& pattern : patterns) all += " " + pattern;
+  io::fail(folder, "is a folder with files of several formats (" + endings + "); name those of one, such as " +
+                       *patterns.begin() + ", or, where each file is a body or a part of its own, all:" + all);
 }
 
 }  // namespace

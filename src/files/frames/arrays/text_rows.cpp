@@ -6,6 +6,7 @@
 #include "frames/arrays/array.hpp"
 #include "frames/content.hpp"
 #include "io/fail.hpp"
+#include "io/foreign_bytes.hpp"
 #include "io/queries/query_chunks.hpp"
 #include "io/separators.hpp"
 #include "io/times.hpp"
@@ -15,6 +16,7 @@ namespace touchstone::frames {
 ArrayFrame read_text_rows(const std::string& file, const ReadOptions& options) {
   const io::WholeFile content = io::WholeFile::read(file, kMeshLimits, options.checkpoint);
   std::string_view rest = content.bytes();
+  io::refuse_foreign_bytes(file, rest);
   if (rest.starts_with("\xEF\xBB\xBF")) rest.remove_prefix(3);
   ArrayFrame frame{{1, 0, 0}, {}};
   char separator = ',';

@@ -113,9 +113,13 @@ std::size_t rows_per_query(Kind kind, RowFormat format) noexcept {
 }
 
 std::string fault_of_columns(std::string_view row, Kind kind) {
+  return columns_text(fields_of(row).size()) + "; " + right_rows(kind);
+}
+
+std::string right_rows(Kind kind) {
   const std::size_t whole = numbers_per_row(kind, RowFormat::whole_query);
-  return columns_text(fields_of(row).size()) +
-         "; a row is a corner as fractions, with 7: x_num,x_den,y_num,y_den,z_num,z_den,truth, or 6 without truth; a "
+  return "a row is a corner as fractions, with 7 columns: x_num,x_den,y_num,y_den,z_num,z_den,truth, or 6 without "
+         "truth; a "
          "corner as decimals, x,y,z with 3, or 4 with truth; or a whole " +
          std::string(name_of(kind)) + " query, with " + std::to_string(whole) + " decimals, and truth or not";
 }

@@ -45,6 +45,9 @@ std::size_t rows_per_query(Kind kind, RowFormat format) noexcept;
 /// "5 columns; a row of an edge-edge query has ...": what is right for a row that no format has.
 std::string fault_of_columns(std::string_view row, Kind kind);
 
+/// What is right: the rows of each format.
+std::string right_rows(Kind kind);
+
 /// Appends the numbers of a row as fractions, and reads its truth.
 /// @param line       without '\n'
 /// @param has_truth  whether the file's first row has one

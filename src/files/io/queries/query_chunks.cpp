@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "io/fail.hpp"
+#include "io/foreign_bytes.hpp"
 #include "io/queries/curved_rows.hpp"
 #include "io/queries/hdf5_layout.hpp"
 #include "io/separators.hpp"
@@ -30,8 +31,7 @@ std::optional<QueryChunk> QueryChunkReader::next() {
     if (at_end_ && buffer_.empty()) {
       if (next_query_ > 0) return std::nullopt;
       fail(*name_, header_row_ != 0 ? "holds no query; a query starts with a row query,truth"
-                                    : "holds no query; a query is " + std::to_string(rows_per_query(kind_)) +
-                                          " rows x_num,x_den,y_num,y_den,z_num,z_den,truth");
+                                    : "holds no query; " + right_rows(kind_));
     }
     if (!at_end_) fill();
     scan();
@@ -66,7 +66,8 @@ void QueryChunkReader::fill() {
 void QueryChunkReader::start() {
   constexpr std::string_view kMark = "\xEF\xBB\xBF";
   started_ = true;
-  while (!at_end_ && buffer_.size() < kBinaryMagic.size()) fill();
+  while (!at_end_ && buffer_.size() < std::max(kBinaryMagic.size(), kForeignStart)) fill();
+  refuse_foreign_bytes(*name_, buffer_);
   if (starts_query_array(buffer_)) {
     array_ = std::make_shared<const QueryArray>(file_);
     if (const std::string fault = array_->fault_of_kind(kind_); !fault.empty()) fail(*name_, fault);
