@@ -413,3 +413,60 @@ TEST_CASE("columns that say nothing are refused") {
   CHECK(run.status == 2);
   CHECK(occurrences(run.err, "--columns says what a file of --claims has") == 1);
 }
+
+TEST_CASE("JSON of claims has the shapes that programs write, whatever its name and from a pipe") {
+  const std::string lines =
+      "{\"hit\": true, \"toi\": 0.5}\n{\"hit\": false, \"toi\": null}\n{\"hit\": true, \"toi\": 0.25}\n";
+  const std::string columns = R"({"solver": "mine", "hit": [true, false, true], "toi": [0.5, Infinity, 0.25]})";
+  // A table's rows are in the order of their numbers; "10" comes before "9" in the text's order.
+  const std::string pandas =
+      R"({"hit": {"9": false, "8": true, "10": true}, "toi": {"8": 0.5, "9": null, "10": 0.25}, "id": {"8": 0, "9": 1, "10": 2}})";
+  const std::string filtered = R"({"hit": {"2": true, "0": true}, "toi": {"0": 0.5, "2": 0.25}})";
+  for (const auto& [claims, more] : std::vector<std::pair<std::string, std::vector<std::string>>>{
+           {lines, {}}, {columns, {}}, {pandas, {}}, {filtered, {"--missing", "no-contact"}}}) {
+    for (const char* const name : {"a.json", "a.jsonl", "a.txt"}) {
+      Judging judging;
+      const Run run = judging.run(name, claims, more);
+      CAPTURE(name, claims, run.out, run.err);
+      CHECK(run.status == 0);
+      CHECK(occurrences(run.out, "all 3 claims hold") == 1);
+      CHECK(occurrences(run.out, "0 to 0 doubles before the exact time") == 1);
+    }
+    Judging judging;
+    RunOptions options;
+    options.standard_input = judging.folder.write("claims", claims);
+    std::vector<std::string> words = {"certify", "--claims", "-", judging.queries};
+    words.insert(words.end(), more.begin(), more.end());
+    const Run piped = run_program(words, options);
+    CAPTURE(claims, piped.err);
+    CHECK(occurrences(piped.out, "all 3 claims hold") == 1);
+  }
+  const auto fault = [](const std::string& claims) { return Judging().run("a.json", claims).err; };
+  CHECK(occurrences(fault(R"({"hit": [1, 0], "toi": [0.5]})"), "hit has 2 rows, and toi has 1; all columns") == 1);
+  CHECK(occurrences(fault(R"({"hit": {"a": 1}})"), "hit has a row 'a'; the names of rows must be their numbers") == 1);
+  CHECK(occurrences(fault(R"({"hit": [1, 0, 1], "hit ": [1, 0, 1]})"), "has two keys that are a 'contact'") == 1);
+}
+
+TEST_CASE("text of another encoding and packed files are named with the remedy") {
+  const std::string wide(
+      "h\0i\0t\0\n\0"
+      "1\0\n\0",
+      12);
+  Judging judging;
+  const auto refused = [&](const std::string& name, const std::string& content, const std::string& reason) {
+    const std::string file = judging.folder.write("point-point/" + name, content);
+    CAPTURE(file);
+    CHECK(run_program({"certify", "--claims", file, judging.queries}).err == file + reason + "\n");
+    CHECK(run_program({"solve", file}).err == file + reason + "\n");
+    const std::vector<std::string> bodies = {"bodies", "--poses", file, judging.folder.write("a.obj", "v 0 0 0\n"),
+                                             judging.folder.write("b.obj", "v 3 0 0\n")};
+    CHECK(run_program(bodies).err == file + reason + "\n");
+  };
+  const std::string utf_16 = ": is text in UTF-16, which is not read; save it as UTF-8: iconv -f UTF-16 -t UTF-8";
+  refused("mark.csv", "\xFF\xFE" + wide, utf_16);
+  refused("big.csv", "\xFE\xFF" + std::string(1, '\0') + wide, utf_16);
+  refused("wide.csv", wide, utf_16);
+  refused("a.json", wide, utf_16);
+  refused("a.csv.gz", "\x1F\x8B\x08xxxxxxx", ": is packed by gzip, which is not read; unpack it first: gunzip");
+  refused("a.zip", "PK\x03\x04xxxxxxx", ": is packed by zip, which is not read; unpack it first: unzip");
+}

@@ -41,11 +41,12 @@ ClaimStream::ClaimStream(const std::string& path, const io::ClaimColumns& column
       missing_(missing),
       queries_(inputs.size()) {
   for (const Input& input : inputs) paths_.push_back(path_of(input.name));
-  if (is_list_of_claims(name_)) {
-    listed_ = read_listed_claims(name_, columns, missing);
+  io::InputFile file = io::InputFile::open(name_, throw_if_interrupted);
+  if (is_list_of_claims(file)) {
+    listed_ = read_listed_claims(std::move(file), columns, missing);
     implied_contacts_ = listed_.implied_contacts;
   } else {
-    reader_.emplace(io::InputFile::open(name_, throw_if_interrupted), columns, chunk_bytes, missing);
+    reader_.emplace(std::move(file), columns, chunk_bytes, missing);
     has_numbers_ = reader_->has_query_column();
     implied_contacts_ = !reader_->has_contact_column();
   }

@@ -10,10 +10,11 @@
 
 #include <touchstone/error.hpp>
 
-#include "cli/shared/progress/interrupt.hpp"
+#include "cli/certify/json_records.hpp"
 #include "io/answers/npz.hpp"
 #include "io/characters.hpp"
 #include "io/fail.hpp"
+#include "io/foreign_bytes.hpp"
 #include "io/times.hpp"
 #include "io/whole_file.hpp"
 #include "json/json_node.hpp"
@@ -129,10 +130,28 @@ class JsonClaims {
 };
 
 ListedClaims claims_of_json(std::string_view content, io::MissingClaim missing) {
-  const json::JsonDocument document = json::parse_json(with_quotes_around_nan(content));
+  const json::JsonDocument document = as_records(json::parse_json(with_quotes_around_nan(content)));
   JsonClaims claims(missing);
   for (const JsonNode& node : JsonNode(document.value(), "the list").items()) claims.add(node);
   return std::move(claims).all();
+}
+
+/// The text without what programs write before JSON.
+std::string_view start_of_json(std::string_view content) {
+  constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+  if (content.starts_with(kByteOrderMark)) content.remove_prefix(kByteOrderMark.size());
+  content.remove_prefix(std::min(content.find_first_not_of(" \t\r\n"), content.size()));
+  return content;
+}
+
+/// Whether the text is a line of JSON for each claim: its first line is all of an object, and others follow.
+bool is_json_lines(std::string_view content, std::string_view path) {
+  content = start_of_json(content);
+  if (content.starts_with('[')) return false;
+  if (!content.starts_with('{')) return !path.ends_with(".json");
+  const std::size_t end = std::min(content.find('\n'), content.size());
+  const bool has_more = content.find_first_not_of(" \t\r\n", end) != std::string_view::npos;
+  return has_more && nlohmann::json::accept(with_quotes_around_nan(content.substr(0, end)));
 }
 
 ListedClaims claims_of_json_lines(std::string_view content, io::MissingClaim missing) {
@@ -282,19 +301,25 @@ ListedClaims claims_of_npz(const std::string& path, std::string_view content, io
 
 }  // namespace
 
-bool is_list_of_claims(std::string_view path) {
-  return path.ends_with(".json") || path.ends_with(".jsonl") || path.ends_with(".ndjson") || path.ends_with(".npy") ||
-         path.ends_with(".npz");
+bool is_list_of_claims(io::InputFile& file) {
+  for (const std::string_view ending : {".json", ".jsonl", ".ndjson", ".npy", ".npz"}) {
+    if (file.name().ends_with(ending)) return true;
+  }
+  constexpr std::size_t kBeforeJson = 64;  // a mark and blanks
+  const std::string_view start = start_of_json(file.peek(kBeforeJson));
+  return start.starts_with('[') || start.starts_with('{');
 }
 
-ListedClaims read_listed_claims(const std::string& path, const io::ClaimColumns& columns, io::MissingClaim missing) {
-  const auto content = io::WholeFile::read(path, io::kJsonLimits, throw_if_interrupted);
+ListedClaims read_listed_claims(io::InputFile file, const io::ClaimColumns& columns, io::MissingClaim missing) {
+  const std::string path = file.name();
+  const auto content = io::WholeFile::read(std::move(file), io::kJsonLimits);
   if (path.ends_with(".npy")) return claims_of_npy(path, content.bytes(), columns, missing);
   if (!columns.empty()) io::fail(path, "names its columns itself; --columns is for CSV and .npy");
   if (path.ends_with(".npz")) return claims_of_npz(path, content.bytes(), missing);
+  io::refuse_foreign_bytes(path, content.bytes());
   try {
-    return path.ends_with(".json") ? claims_of_json(content.bytes(), missing)
-                                   : claims_of_json_lines(content.bytes(), missing);
+    return is_json_lines(content.bytes(), path) ? claims_of_json_lines(content.bytes(), missing)
+                                                : claims_of_json(content.bytes(), missing);
   } catch (const Error& error) {
     io::fail(path, error.what());
   }

@@ -11,6 +11,7 @@
 #include <touchstone/separation.hpp>
 
 #include "io/answers/claim_columns.hpp"
+#include "io/input_file.hpp"
 
 namespace touchstone::cli {
 
@@ -28,17 +29,18 @@ struct ListedClaims {
   bool implied_contacts = false;    ///< some claims do not say whether there is contact, and so claim one
 };
 
-/// Whether a file of this name is read whole: .json, .jsonl, .ndjson, .npy or .npz.
-bool is_list_of_claims(std::string_view path);
+/// Whether a file is read whole: .json, .jsonl, .ndjson, .npy, .npz, and one of another name that starts as JSON does.
+bool is_list_of_claims(io::InputFile& file);
 
 /// Reads
-/// - JSON: a list of true and false (or 1 and 0), or of objects with the keys of claim_columns.hpp;
-/// - lines of JSON (.jsonl): one such object each;
+/// - JSON: a list of true and false (or 1 and 0), or of objects with the keys of claim_columns.hpp, or their columns as
+///   as_records() reads them;
+/// - lines of JSON: one such object each;
 /// - .npy: an array of contacts, or rows of (query, contact, toi) or of what `columns` says;
 /// - .npz: arrays that are named as columns, as numpy.savez(FILE, contact=..., toi=...) writes them.
 /// The toi of a claim without contact may be anything, NaN and infinity too.
 /// @param missing  with MissingClaim::no_contact those with the numbers of their queries may lack `contact`
 /// @throws FileError
-ListedClaims read_listed_claims(const std::string& path, const io::ClaimColumns& columns, io::MissingClaim missing);
+ListedClaims read_listed_claims(io::InputFile file, const io::ClaimColumns& columns, io::MissingClaim missing);
 
 }  // namespace touchstone::cli

@@ -5,6 +5,8 @@
 #include <filesystem>
 #include <system_error>
 
+#include <touchstone/error.hpp>
+
 #include "cli/queries/bundled.hpp"
 #include "cli/shared/progress/interrupt.hpp"
 #include "cli/shared/words.hpp"
@@ -41,7 +43,13 @@ io::InputFile Input::open() const {
   return bundled ? io::InputFile::from_memory(name, content) : io::InputFile::open(name, throw_if_interrupted);
 }
 
+void refuse_standard_input_twice(const std::vector<std::string>& names) {
+  if (std::count(names.begin(), names.end(), "-") < 2) return;
+  throw Error("- is given twice, and standard input can be read once; name a file in place of one of them");
+}
+
 std::vector<Input> find_inputs(const std::vector<std::string>& names, std::optional<Kind> kind, io::Decimals decimals) {
+  refuse_standard_input_twice(names);
   std::vector<Input> inputs;
   for (const auto& name : names) {
     if (const BundledFile* const bundled = find_bundled(name)) {

@@ -30,6 +30,9 @@ struct Input {
   io::InputFile open() const;
 };
 
+/// @throws Error  where - , standard input, is among the names of files to read more than once
+void refuse_standard_input_twice(const std::vector<std::string>& names);
+
 /// The files of these names. Each is checked to exist; a name that is no file may be the name of a bundled file.
 /// @param kind  the kind of their queries; by default a file of doubles states it, and else a file's folder names it
 /// @param decimals  what decimals stand for that are no doubles

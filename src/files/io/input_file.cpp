@@ -54,7 +54,27 @@ std::optional<std::uint64_t> InputFile::check(const std::string& path) {
   return static_cast<std::uint64_t>(status.st_size);
 }
 
+std::string_view InputFile::peek(std::size_t count) {
+  if (descriptor_ < 0) return content_.substr(0, count);
+  std::string bytes = std::move(ahead_);
+  ahead_.clear();
+  while (bytes.size() < count) {
+    const std::size_t before = bytes.size();
+    bytes.resize(count);
+    const std::size_t got = read(bytes.data() + before, count - before);
+    bytes.resize(before + got);
+    if (got == 0) break;
+  }
+  ahead_ = std::move(bytes);
+  return ahead_;
+}
+
 std::size_t InputFile::read(char* to, std::size_t capacity) {
+  if (!ahead_.empty()) {
+    const std::size_t count = ahead_.copy(to, capacity);
+    ahead_.erase(0, count);
+    return count;
+  }
   if (descriptor_ < 0) {
     const std::size_t count = content_.copy(to, capacity);
     content_.remove_prefix(count);
@@ -73,6 +93,9 @@ void InputFile::skip(std::uint64_t count) {
     content_.remove_prefix(static_cast<std::size_t>(std::min<std::uint64_t>(count, content_.size())));
     return;
   }
+  const std::size_t known = std::min<std::uint64_t>(count, ahead_.size());
+  ahead_.erase(0, known);
+  count -= known;
   constexpr std::uint64_t kMost = std::numeric_limits<off_t>::max();
   if (count <= kMost && ::lseek(descriptor_, static_cast<off_t>(count), SEEK_CUR) >= 0) return;
   std::array<char, 4096> unused;
@@ -89,6 +112,7 @@ InputFile::InputFile(InputFile&& other) noexcept
       descriptor_(std::exchange(other.descriptor_, -1)),
       whole_(other.whole_),
       content_(other.content_),
+      ahead_(std::move(other.ahead_)),
       checkpoint_(other.checkpoint_) {}
 
 InputFile& InputFile::operator=(InputFile&& other) noexcept {
@@ -96,6 +120,7 @@ InputFile& InputFile::operator=(InputFile&& other) noexcept {
   std::swap(descriptor_, other.descriptor_);
   std::swap(whole_, other.whole_);
   std::swap(content_, other.content_);
+  std::swap(ahead_, other.ahead_);
   std::swap(checkpoint_, other.checkpoint_);
   return *this;
 }

@@ -29,6 +29,9 @@ class InputFile {
   /// @throws FileError when the operating system cannot read
   std::size_t read(char* to, std::size_t capacity);
 
+  /// The next bytes, `count` of them or those before the end, which are read again. Valid until the next read.
+  std::string_view peek(std::size_t count);
+
   /// Goes on `count` bytes further in the file, or at its end if it is shorter. A pipe is read that far.
   /// @throws FileError when the operating system cannot read
   void skip(std::uint64_t count);
@@ -50,6 +53,7 @@ class InputFile {
   int descriptor_;            ///< -1: reads content_
   std::string_view whole_;    ///< of text in memory
   std::string_view content_;  ///< what is left of it
+  std::string ahead_;         ///< what peek() has read
   Checkpoint checkpoint_;
 };
 

@@ -44,6 +44,12 @@ class LineLengths {
 }  // namespace
 
 WholeFile WholeFile::read(const std::string& path, const FileLimits& limits, InputFile::Checkpoint checkpoint) {
+  InputFile::check(path);
+  return read(InputFile::open(path, checkpoint), limits);
+}
+
+WholeFile WholeFile::read(InputFile input, const FileLimits& limits) {
+  const std::string& path = input.name();
   const std::optional<std::uint64_t> stated = InputFile::check(path);
   const std::uint64_t most = stated ? limits.file : limits.stream;
   const auto too_large = [&] {
@@ -55,7 +61,6 @@ WholeFile WholeFile::read(const std::string& path, const FileLimits& limits, Inp
   constexpr std::size_t kLeast = std::size_t{1} << 16;
   constexpr std::size_t kMostAtOnce = std::size_t{1} << 20;  // between two looks at the limits
   std::size_t capacity = static_cast<std::size_t>(stated.value_or(kLeast)) + 1;
-  InputFile input = InputFile::open(path, checkpoint);
   auto bytes = room(path, capacity);
   std::size_t size = 0;
   LineLengths lines(path, limits.line);

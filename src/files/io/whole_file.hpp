@@ -29,6 +29,9 @@ class WholeFile {
   /// @throws FileError  where it cannot be read, and where it exceeds a limit, which the message names
   static WholeFile read(const std::string& path, const FileLimits& limits, InputFile::Checkpoint checkpoint);
 
+  /// The same of a file that is open, from where it is read next.
+  static WholeFile read(InputFile input, const FileLimits& limits);
+
   std::string_view bytes() const noexcept { return {bytes_.get(), size_}; }
 
  private:
