@@ -204,12 +204,20 @@ TEST_CASE("bodies: a table of poses that is wrong is refused by its row") {
   refused(header + start + "1,bar,0,0,0,1,0,0\n", "3: 8 columns where the first line has 9");
   refused(header + start + end + "0.5,bar,0,0,0,1,0,0,0\n",
           "4: time 0.5 of body 'bar' comes after its time 1 in row 3");
-  refused(header + start + "0.0,bar,0,0,0,1,0,0,0\n", "3: time 0 of body 'bar' comes after its time 0 in row 2");
+  refused(header + start + "0.0,bar,0,0,0,1,0,0,0\n", "3: body 'bar' is at time 0 twice, here and in row 2");
   refused(header + start + "1,bat,0,0,0,1,0,0,0\n", "3: no file is the body 'bat'; did you mean bar?");
   refused(header + start + "1,zeppelin,0,0,0,1,0,0,0\n", "3: no file is the body 'zeppelin'; the bodies are bar, wall");
   refused(header + start + end + "1,wall,3,0,0,1,0,0,0\n", " body 'wall' has no pose at time 0, which other bodies");
   refused(header + start + end + "0,wall,3,0,0,1,0,0,0\n", " body 'wall' has no pose at time 1, which other bodies");
   refused("time,body,x,y,z,q0,q1,q2,q3\n" + start + end, "1: no column is qw");
+  refused("time,frame_id,x,y,z,qw,qx,qy,qz\n",
+          "1: no column is body: the first line names the columns with commas "
+          "between them, in any order, such as time,body,x,y,z,qw,qx,qy,qz; names of body are body, name, object, "
+          "link, id");
+  refused(
+      "frame,body,x,y,z,qw,qx,qy,qz\n",
+      "1: no column is time: the first line names the columns with commas "
+      "between them, in any order, such as time,body,x,y,z,qw,qx,qy,qz; names of time are time, t, timestamp, stamp");
   refused("time,body,x,y,z,qw,qx,qy\n", "1: no column is qz");
   refused("time,body,x,y,z,qw,qx,qy,qz,q_z\n", "1: the columns 'qz' and 'q_z' both say qz");
   refused("time;body;x;y;z;qw;qx;qy;qz\n", " has poses at 0 times");

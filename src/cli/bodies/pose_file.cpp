@@ -31,13 +31,34 @@ bool is_one_of(const std::array<std::string_view, N>& names, std::string_view na
   return std::find(names.begin(), names.end(), name) != names.end();
 }
 
+constexpr std::array<std::string_view, 4> kTimes = {"time", "t", "timestamp", "stamp"};
+constexpr std::array<std::string_view, 5> kBodies = {"body", "name", "object", "link", "id"};
+constexpr std::array<std::string_view, 7> kPositions = {"p", "t", "p_", "t_", "pos_", "position_", "translation_"};
+constexpr std::array<std::string_view, 6> kQuaternions = {"q",           "q_",           "quat_",
+                                                          "quaternion_", "orientation_", "rotation_"};
+
+/// "time, t, timestamp, stamp": what the column may be called.
+std::string names_of(PoseColumn column) {
+  std::string text;
+  const auto add = [&](std::string_view prefix, std::string_view name = {}) {
+    text.append(text.empty() ? "" : ", ").append(prefix).append(name);
+  };
+  const std::string_view name = kColumnNames[column];
+  if (column == kTime) {
+    for (const auto known : kTimes) add(known);
+  } else if (column == kBody) {
+    for (const auto known : kBodies) add(known);
+  } else if (column < kQw) {
+    add(name);
+    for (const auto prefix : kPositions) add(prefix, name);
+  } else {
+    for (const auto prefix : kQuaternions) add(prefix, name.substr(1));
+  }
+  return text;
+}
+
 /// The column of a name in lower case. A name without a prefix, such as x, gives `bare`.
 std::optional<PoseColumn> column_named(std::string_view name, PoseColumn bare) {
-  constexpr std::array<std::string_view, 4> kTimes = {"time", "t", "timestamp", "stamp"};
-  constexpr std::array<std::string_view, 5> kBodies = {"body", "name", "object", "link", "id"};
-  constexpr std::array<std::string_view, 7> kPositions = {"p", "t", "p_", "t_", "pos_", "position_", "translation_"};
-  constexpr std::array<std::string_view, 6> kQuaternions = {"q",           "q_",           "quat_",
-                                                            "quaternion_", "orientation_", "rotation_"};
   if (is_one_of(kTimes, name)) return kTime;
   if (is_one_of(kBodies, name)) return kBody;
   if (name.starts_with("pose_")) name.remove_prefix(5);
@@ -112,8 +133,8 @@ class PoseReader {
       if (index_[i] != column_count_) continue;
       records_.refuse(
           fmt::format("no column is {}: the first line names the columns with commas between them, in any "
-                      "order, such as {}",
-                      kColumnNames[i], kExampleRow));
+                      "order, such as {}; names of {} are {}",
+                      kColumnNames[i], kExampleRow, kColumnNames[i], names_of(static_cast<PoseColumn>(i))));
     }
     if (order) records_.refuse("this line names the columns, and --quaternion is for files without such a line");
   }
@@ -162,6 +183,10 @@ class PoseReader {
       result_.not_unit_row = row.row;
     }
     std::vector<PoseRow>& rows = rows_[found->second];
+    if (!rows.empty() && rows.back().time == row.time) {
+      records_.refuse(fmt::format("body {} is at time {} twice, here and in row {}; it has one pose at each time",
+                                  io::in_quotes(name), row.time, rows.back().row));
+    }
     if (!rows.empty() && !(rows.back().time < row.time)) {
       records_.refuse(
           fmt::format("time {} of body {} comes after its time {} in row {}; the times of each body must "
