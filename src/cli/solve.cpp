@@ -46,6 +46,7 @@ void solve_queries(SolveItem& item, const std::vector<Input>& inputs, const Solv
       io::append_answer(item.rows, file, record.number, answer, options.numbers);
     }
     item.counts.add(answer);
+    item.counts.no_doubles += record.no_doubles;
   }
 }
 
@@ -77,7 +78,10 @@ int run_solve(const SolveCommandOptions& options) {
   out.commit();
   progress.wipe();
   turns.tell();
-  if (to_standard_output) return kAllHold;
+  if (to_standard_output) {
+    if (counts.no_doubles > 0) print_error("touchstone: " + decimals_for_person(counts.no_doubles) + "\n");
+    return kAllHold;
+  }
 
   auto console = io::OutputFile::standard_output();
   const std::string about =

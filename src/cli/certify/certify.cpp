@@ -41,6 +41,7 @@ struct CertifyItem : QueryItem {
   certify::Tally tally;
   certify::NotCounted not_counted;
   Questions questions;
+  std::uint64_t no_doubles = 0;
   std::vector<certify::RefutedClaim> first_refuted;  ///< at most kShownClaims
   std::string refuted_json;                          ///< all of them, each after a separator; only for a report
   std::string lines;                                 ///< of JSON, one a query; only for --json
@@ -99,6 +100,7 @@ void judge_queries(CertifyItem& item, const CertifyOptions& options, const std::
   io::QueryRecord record;
   for (std::size_t i = 0; parser.next(record); ++i) {
     item.longer_turns.merge(record.longer_turns);
+    item.no_doubles += record.no_doubles;
     if (from_file && i == item.claims.size()) break;  // item.error says why
     if (!from_file && !record.truth) {
       io::fail(*item.chunk.file, fmt::format("query {} has no claim; name a file of claims (--claims)", record.number));
@@ -168,7 +170,8 @@ std::string what_was_judged(const CertifyOptions& options, const std::string& le
 
 std::string summary(const CertifyOptions& options, const std::string& left_out, const std::vector<Input>& inputs,
                     const Questions& questions, const certify::Tally& tally, const certify::NotCounted& not_counted,
-                    const std::vector<certify::RefutedClaim>& first_refuted, double seconds, int threads) {
+                    std::uint64_t no_doubles, const std::vector<certify::RefutedClaim>& first_refuted, double seconds,
+                    int threads) {
   const certify::VerdictCounts& verdicts = tally.verdicts;
   const std::uint64_t refuted = verdicts.refuted() - not_counted.claims();
   std::string text = verdicts.refuted() == 0
@@ -184,7 +187,7 @@ std::string summary(const CertifyOptions& options, const std::string& left_out, 
   }
   text += fmt::format(" ({})\n", what_was_judged(options, left_out, inputs, questions));
   text += verdicts_for_person(verdicts);
-  text += counts_for_person({verdicts.claims(), tally.levels, tally.natures});
+  text += counts_for_person({verdicts.claims(), tally.levels, tally.natures, no_doubles});
   text +=
       early_for_person(tally.early) + late_for_person(tally.late) + outside_for_person(tally.below_0, tally.above_1);
   if (options.histogram) text += histogram_for_person("early", tally.early) + histogram_for_person("late", tally.late);
@@ -221,10 +224,11 @@ int run_certify(const CertifyOptions& options) {
         "--proofs goes without --shorter-turn: touchstone-check reads the queries as the file has them. convert "
         "--shorter-turn --claims solve writes a file with the shorter turns");
   }
-  const std::vector<Input> inputs = options.files.empty() ? bundled_inputs(io::Motions::any)
-                                                          : find_inputs(options.files, options.kind, options.decimals);
   std::vector<std::string> read_files = options.files;
   if (!options.claims.empty()) read_files.push_back(options.claims);
+  refuse_standard_input_twice(read_files);
+  const std::vector<Input> inputs = options.files.empty() ? bundled_inputs(io::Motions::any)
+                                                          : find_inputs(options.files, options.kind, options.decimals);
   refuse_to_overwrite(options.report, read_files);
   refuse_to_overwrite(options.proofs, read_files);
   refuse_one_file_twice(
@@ -247,6 +251,7 @@ int run_certify(const CertifyOptions& options) {
 
   certify::Tally tally;
   certify::NotCounted not_counted;
+  std::uint64_t no_doubles = 0;
   std::vector<certify::FileTally> files;
   for (const auto& input : inputs) files.push_back({input.name, input.kind, {}});
   std::vector<certify::RefutedClaim> first_refuted;
@@ -268,6 +273,7 @@ int run_certify(const CertifyOptions& options) {
       [&](CertifyItem& item) {
         tally.merge(item.tally);
         not_counted.merge(item.not_counted);
+        no_doubles += item.no_doubles;
         questions.merge(item.questions);
         turns.add(item.input, item.longer_turns);
         files[item.input].verdicts.merge(item.tally.verdicts);
@@ -296,7 +302,7 @@ int run_certify(const CertifyOptions& options) {
   progress.wipe();
   turns.tell();
   const std::string text =
-      summary(options, left_out, inputs, questions, tally, not_counted, first_refuted, seconds, threads);
+      summary(options, left_out, inputs, questions, tally, not_counted, no_doubles, first_refuted, seconds, threads);
   if (lines) {
     lines->commit();
     print_error(text);
@@ -304,6 +310,8 @@ int run_certify(const CertifyOptions& options) {
     auto console = io::OutputFile::standard_output();
     console.write(in_colour(text, VerdictLine::first, tally.verdicts.refuted() == not_counted.claims()));
     console.commit();
+  } else if (no_doubles > 0) {
+    print_error("touchstone: " + decimals_for_person(no_doubles) + "\n");
   }
   return tally.verdicts.refuted() == not_counted.claims() ? kAllHold : kRefuted;
 }

@@ -28,6 +28,13 @@ void Counts::merge(const Counts& other) noexcept {
   queries += other.queries;
   for (std::size_t i = 0; i < levels.size(); ++i) levels[i] += other.levels[i];
   for (std::size_t i = 0; i < natures.size(); ++i) natures[i] += other.natures[i];
+  no_doubles += other.no_doubles;
+}
+
+std::string decimals_for_person(std::uint64_t no_doubles) {
+  return counted(no_doubles, "coordinate") +
+         " of the files are decimals that no double equals, and were taken as written; --as-doubles takes the nearest "
+         "doubles";
 }
 
 std::string summary_line(std::string_view heading, std::string_view text) {
@@ -49,7 +56,8 @@ std::string counts_for_person(const Counts& counts) {
   }
   const std::uint64_t contacts = counts.queries - counts.natures[static_cast<std::size_t>(Nature::none)];
   return summary_line("contacts", grouped(contacts) + (natures.empty() ? "" : ": " + natures)) +
-         summary_line("decided by", levels);
+         summary_line("decided by", levels) +
+         (counts.no_doubles > 0 ? summary_line("decimals", decimals_for_person(counts.no_doubles)) : "");
 }
 
 std::string speed_for_person(std::uint64_t queries, double seconds, int threads) {

@@ -113,7 +113,8 @@ std::string location(const QueryRecord& record, Kind kind, std::size_t row, std:
       fail(source, line_of_row(record, row),
            std::string(1, name) + "_num," + name + "_den (" + location(record, query.kind, row, axis) + ") is " +
                shortened(fraction.numerator) + "/" + shortened(fraction.denominator) + ", which is no double; " +
-               std::string(format_name(format)) + " holds doubles alone, and csv holds every fraction");
+               std::string(format_name(format)) + " holds doubles alone, and csv holds every fraction" +
+               (record.no_doubles > 0 ? "; --as-doubles takes the nearest double of each decimal" : ""));
     }
   }
   fail(source, record.first_row, "the query has a coordinate that is no double");

@@ -139,13 +139,13 @@ bool QueryParser::next_of_decimals(QueryRecord& record) {
   rational.kind = chunk_.kind;
   Query query;
   query.kind = chunk_.kind;
-  bool all_doubles = true;
+  record.no_doubles = 0;
   const std::size_t corners = corner_count(chunk_.kind);
   for (std::size_t i = 0; i < 2 * corners; ++i) {
     std::array<double, 3> x{};
     for (std::size_t axis = 0; axis < 3; ++axis) {
       const auto value = double_of(numbers[3 * i + axis]);
-      all_doubles = all_doubles && value.has_value();
+      if (!value) ++record.no_doubles;
       x[axis] = value.value_or(0);
     }
     const std::size_t corner = i % corners;
@@ -154,7 +154,7 @@ bool QueryParser::next_of_decimals(QueryRecord& record) {
     std::move(numbers.begin() + static_cast<std::ptrdiff_t>(3 * i),
               numbers.begin() + static_cast<std::ptrdiff_t>(3 * i + 3), written.begin());
   }
-  if (all_doubles) {
+  if (record.no_doubles == 0) {
     record.query = query;
   } else {
     record.query = std::move(rational);

@@ -27,6 +27,7 @@ struct QueryRecord {
   std::uint64_t last_row = 0;
   std::string_view text;  ///< its rows as they are in the chunk, which must outlive it; empty without fractions in them
   LongerTurns longer_turns = {};  ///< of a curved query, as the file has it
+  std::uint32_t no_doubles = 0;   ///< how many of its coordinates are decimals, taken as written, that are no doubles
 };
 
 class QueryParser {
