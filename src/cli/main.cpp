@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
+#include <csignal>
 #include <iostream>
 
 #include "cli/program.hpp"
 #include "cli/shared/progress/interrupt.hpp"
+#include "io/output_file.hpp"
 
 int main(int argc, char** argv) {
   using namespace touchstone::cli;
@@ -15,5 +17,7 @@ int main(int argc, char** argv) {
     return run_program(argc, argv);
   } catch (const Interrupted&) {
     end_by_signal();
+  } catch (const touchstone::io::ReaderGone&) {
+    end_by_signal(SIGPIPE);  // as other programs end before `head`
   }
 }

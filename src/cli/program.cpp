@@ -105,7 +105,8 @@ int complain_about_argument(const CLI::App& program, const std::string& word) {
 int complain_about_usage(const CLI::App& program, const CLI::ParseError& error) {
   const auto given = program.get_subcommands();
   const std::string command = given.empty() ? "" : " " + given.front()->get_name();
-  return complain("touchstone: " + first_line(error.what()) + " (see touchstone" + command + " --help)");
+  const std::string see = "see touchstone" + command + " --help", text = first_line(error.what());
+  return complain("touchstone: " + text + (text.ends_with(see) ? "" : " (" + see + ")"));
 }
 
 int parse_and_run(int argc, const char* const* argv) {
@@ -216,6 +217,9 @@ int run_program(int argc, const char* const* argv) {
   try {
     return parse_and_run(argc, argv);
   } catch (const Interrupted&) {
+    throw;
+  } catch (const io::ReaderGone&) {
+    throw_if_interrupted();
     throw;
   } catch (const FileError& error) {
     throw_if_interrupted();

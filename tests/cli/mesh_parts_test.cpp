@@ -97,6 +97,9 @@ TEST_CASE("two different texts name no part with itself, and a name is no patter
   CHECK(asked("base,base") == "asked about: base and base");
   CHECK(mesh({"--check", "--only-between", "base,base", one}).status == 1);
   CHECK(mesh({"--check", "--only-between", "bas?,base", one}).err.find("names no two parts") != std::string::npos);
+  const std::string plain = folder.write("plain.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+  CHECK(mesh({"--check", "--only-between", "a,b", plain}).err.find("--parts takes the name of each from them") !=
+        std::string::npos);
 }
 
 TEST_CASE("the least distance is told in the metric, and where there is a contact within the separation") {

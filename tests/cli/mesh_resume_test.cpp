@@ -118,6 +118,12 @@ TEST_CASE("a run goes on where the earlier one stopped, wherever the journal is 
   }
 }
 
+TEST_CASE("a report that cannot be written is named as the command names it, and not its journal") {
+  const StoppedRun sample(5, 8);
+  const std::string report = sample.folder.path("no/r.json");
+  CHECK(sample.mesh({"--report", report}).err.starts_with(report + ": cannot be written: No such file"));
+}
+
 TEST_CASE("finished steps are not checked again: their results are those of the journal") {
   const StoppedRun sample(5, 8);
   sample.leave_journal(6);

@@ -208,4 +208,8 @@ TEST_CASE("a person who asks for help gets it on standard output") {
   const CheckerRun silent = run_checker("2>/dev/null #");  // a wrong call writes it to standard error
   CHECK(silent.status == 2);
   CHECK(silent.text.empty());
+  CHECK(run_checker("2>&1 #").text.starts_with("touchstone-check: the file of proofs is missing, and behind it "));
+  CHECK(
+      run_checker("proofs.txt 2>&1 #")
+          .text.starts_with("touchstone-check: behind the proofs, the query files or the motion file that they are "));
 }

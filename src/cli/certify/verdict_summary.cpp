@@ -123,10 +123,9 @@ std::string refuted_for_person(const certify::RefutedClaim& refuted, io::Turns t
   const std::string truth =
       answer.contact ? fmt::format("contact at {}, {}", time_for_person(answer.toi), contact_for_person(answer))
                      : "no contact";
-  return fmt::format("  {} query {} (rows {} to {}): {}\n    claim: {}\n    exact: {}\n    {}{}{}\n",
-                     io::printable(refuted.file), refuted.query, refuted.first_row, refuted.last_row,
-                     name_of(refuted.verdict), claimed, truth,
-                     explain_command(refuted.file, refuted.kind(), refuted.query, refuted.separation),
+  return fmt::format("  {} query {} ({}): {}\n    claim: {}\n    exact: {}\n    {}{}{}\n", io::printable(refuted.file),
+                     refuted.query, rows_text(refuted.first_row, refuted.last_row), name_of(refuted.verdict), claimed,
+                     truth, explain_command(refuted.file, refuted.kind(), refuted.query, refuted.separation),
                      turns_argument(turns), decimals_argument(decimals));
 }
 

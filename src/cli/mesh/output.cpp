@@ -98,12 +98,12 @@ MeshOutput::MeshOutput(const MeshRunOptions& options, sequence::Heading heading)
   if (journal && options.resume && !is_there(*journal) && is_there(report)) {
     take_finished_report();
   } else if (!report.empty() && report != "-") {
+    report_file_.emplace(report);  // first, so that an error names the file that was named
     if (journal) {
       finished_file_ = *journal;
       const auto earlier = options.resume ? sequence::Earlier::continued : sequence::Earlier::refused;
       journal_.emplace(*journal, report_.heading, earlier);
     }
-    report_file_.emplace(report);
   }
   if (!options.pairs.empty()) pairs_file_.emplace(options.pairs).write(sequence::kPairsHeader);
   if (!options.queries.empty()) folders_.make(options.queries);

@@ -45,8 +45,8 @@ std::unique_ptr<FoundQuery> find_query(const Input& input, std::uint64_t number,
 
 std::string heading(const Input& input, const io::QueryRecord& record) {
   const char* const motion = std::holds_alternative<CurvedQuery>(record.query) ? ", curved motion" : "";
-  return fmt::format("query {} of {} (rows {} to {}), {}{}", record.number, io::printable(input.name), record.first_row,
-                     record.last_row, name_of(input.kind), motion);
+  return fmt::format("query {} of {} ({}), {}{}", record.number, io::printable(input.name),
+                     rows_text(record.first_row, record.last_row), name_of(input.kind), motion);
 }
 
 }  // namespace touchstone::cli

@@ -28,6 +28,10 @@ std::string percentage(std::uint64_t count, std::uint64_t whole) {
   return fmt::format("{:.1f} %", percent);
 }
 
+std::string rows_text(std::uint64_t first, std::uint64_t last) {
+  return first == last ? fmt::format("row {}", first) : fmt::format("rows {} to {}", first, last);
+}
+
 std::string time_for_person(double time) { return fmt::format("{} ({})", io::hexfloat(time), time); }
 
 std::string contact_for_person(const Answer& answer) {

@@ -23,6 +23,9 @@ using io::grouped;
 /// "12.5 %" of a whole that may be zero. A count that is not zero but rounds to zero is "< 0.1 %".
 std::string percentage(std::uint64_t count, std::uint64_t whole);
 
+/// "row 3", "rows 3 to 8".
+std::string rows_text(std::uint64_t first, std::uint64_t last);
+
 /// "0x1.8p-1 (0.75)".
 std::string time_for_person(double time);
 

@@ -24,6 +24,8 @@ void write_all(int descriptor, std::string_view bytes, const std::string& name) 
     const ssize_t count = ::write(descriptor, bytes.data(), bytes.size());
     if (count >= 0) {
       bytes.remove_prefix(static_cast<std::size_t>(count));
+    } else if (errno == EPIPE && descriptor == STDOUT_FILENO) {
+      throw ReaderGone(name + ": nobody reads it any more");
     } else if (errno != EINTR) {
       fail(name, "cannot be written: " + system_reason(errno));
     }

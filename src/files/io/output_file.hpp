@@ -6,7 +6,15 @@
 #include <string>
 #include <string_view>
 
+#include <touchstone/error.hpp>
+
 namespace touchstone::io {
+
+/// The reader of standard output has gone, as `head` does when it has its lines. No error for a person.
+class ReaderGone : public FileError {
+ public:
+  using FileError::FileError;
+};
 
 /// Writes a temporary file beside the target; commit() puts it in the target's place. If the object is destroyed
 /// without a commit, it removes the temporary file, and the target is unchanged. A process that is killed cannot remove
@@ -19,7 +27,7 @@ class OutputFile {
 
   static OutputFile standard_output();
 
-  /// @throws FileError when the disk is full, the reader of a pipe has gone, and so on
+  /// @throws ReaderGone; FileError when the disk is full, the reader of another pipe has gone, and so on
   void write(std::string_view bytes);
 
   /// Puts everything on the disk, under the final name. @throws FileError

@@ -126,6 +126,12 @@ int main(int argc, char** argv) {
       words.erase(words.begin(), words.begin() + static_cast<long>(std::min(taken, words.size())));
     }
     if (help || words.size() < 2) {
+      if (!help) {
+        std::fprintf(stderr, "touchstone-check: %s\n",
+                     words.empty() ? "the file of proofs is missing, and behind it the files that they are about"
+                                   : "behind the proofs, the query files or the motion file that they are about are "
+                                     "missing");
+      }
       std::fputs(kUsage, help ? stdout : stderr);
       return help ? 0 : 2;
     }

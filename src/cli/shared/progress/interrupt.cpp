@@ -54,8 +54,9 @@ void throw_if_interrupted() {
   if (interrupted()) throw Interrupted();
 }
 
-void end_by_signal() {
-  const int signal = noted_signal;
+void end_by_signal() { end_by_signal(noted_signal); }
+
+void end_by_signal(int signal) {
   std::signal(signal, SIG_DFL);
   std::raise(signal);
   std::_Exit(2);

@@ -31,4 +31,7 @@ void throw_if_interrupted();
 /// Ends the process by the signal that was noted.
 [[noreturn]] void end_by_signal();
 
+/// Ends it by this one.
+[[noreturn]] void end_by_signal(int signal);
+
 }  // namespace touchstone::cli

@@ -69,7 +69,11 @@ PartRules part_rules_of(const frames::Topology& topology, const PartOptions& opt
                         std::string_view things) {
   PartRules rules;
   if (options.empty()) return rules;
-  if (topology.parts.empty()) io::fail(file, "names no parts: objects or groups (`o` or `g` lines of an OBJ file)");
+  if (topology.parts.empty())
+    io::fail(
+        file,
+        "names no parts: objects or groups (`o` or `g` lines of an OBJ file); where each part has files of its own, "
+        "--parts takes the name of each from them");
   rules.within = !options.between_parts;
   if (!options.only_between.empty()) rules.rule = GroupRule::only_listed;
   std::vector<std::array<std::size_t, 2>> pairs;
