@@ -118,6 +118,34 @@ TEST_CASE("a scene of moving parts has query files, a page and proofs") {
   CAPTURE(checked.out, checked.err);
   CHECK(checked.status == 0);
   CHECK(occurrences(checked.out, "1 contact") == 1);
+  // The checker compares the frames of each part, in their order, bit by bit; a part at rest has one file.
+  REQUIRE(mesh({"--parts", scene.plate, scene.lids, "--prove", scene.folder.path("two")}).status == 1);
+  const auto compared = [&](const std::vector<std::string>& patterns) {
+    std::vector<std::string> words;
+    for (const std::string& pattern : patterns) words.insert(words.end(), {"--frames", pattern});
+    words.push_back(scene.folder.path("two/proofs.txt"));
+    return run_checker(words, {scene.folder.path("two/motion.txt")});
+  };
+  const Run same = compared({scene.plate, scene.lids});
+  CAPTURE(same.out, same.err);
+  CHECK(same.status == 0);
+  CHECK(occurrences(same.out, ", whose frames are those of the 5 files") == 1);
+  const auto refused = [&](const std::vector<std::string>& patterns, const std::string& words) {
+    const Run other = compared(patterns);
+    CAPTURE(words, other.err);
+    CHECK(other.status == 1);
+    CHECK(other.out.empty());
+    CHECK(occurrences(other.err, words) == 1);
+  };
+  const std::string early = scene.folder.path("lid-?.obj");
+  refused({scene.lids, scene.plate}, "lid-8.obj and frame 0: the coordinates of vertex 0, counted from 0, differ");
+  refused({scene.plate}, "plate.obj and frame 0: 3 vertices, and 6");
+  refused({scene.plate, scene.plate}, "plate.obj and frame 0: the coordinates of vertex 0, counted from 0, differ");
+  refused({scene.plate, scene.lids, scene.plate}, "plate.obj and frame 0: 3 vertices, and 0");
+  refused({scene.plate, early}, "the motion has more frames than --frames names files");
+  scene.folder.write("lid-10.obj", "v 1 1 0.5\nv 2 1 3\nv 1 2 3\nf 1 3 2\nf 1 2 3\n");
+  CHECK(compared({scene.plate, scene.lids}).status == 0);
+  scene.folder.write("lid-10.obj", lid(kHeights[2], 1));
   const Run rest = mesh(
       {"--check", "--parts", scene.plate, scene.folder.path("lid-11.obj"), "--html", scene.folder.path("rest.html")});
   CHECK(rest.status == 1);

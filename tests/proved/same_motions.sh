@@ -147,7 +147,7 @@ END
     rebuilt() { # SED: the checker with another boxes.ml
       sed "$1" "$theories/boxes.ml" >boxes.ml
       [[ -z $1 ]] || ! cmp -s "$theories/boxes.ml" boxes.ml || { echo "no effect: $1"; exit 1; }
-      "$ocamlfind" ocamlopt -package zarith -linkpkg {proved,sha256,text,hints,meshes}.cmx boxes.ml reader.ml -o rebuilt
+      "$ocamlfind" ocamlopt -package zarith -linkpkg {proved,sha256,text,hints,meshes,frames}.cmx boxes.ml reader.ml -o rebuilt
     }
     rebuilt ''
     for name in sheets hoop; do ./rebuilt "$name/proofs.txt" "$name/motion.txt" >/dev/null; done

@@ -7,6 +7,7 @@
 // polynomial are integers here: each group is multiplied by a positive number, which changes no sign. For queries with
 // straight motion, read input.hpp, polynomials.hpp, proofs.hpp and queries.hpp, in this order.
 // SPDX-License-Identifier: MIT
+#include "checker/frames.hpp"
 #include "checker/pairs.hpp"
 
 namespace checker {
@@ -14,8 +15,7 @@ namespace checker {
 class FullChecker : public Checker {
  public:
   /// @param frames  the files of the frames of a motion; empty: they are not compared
-  FullChecker(const std::string& proofs, std::vector<std::string> frames)
-      : Checker(proofs), frames_(std::move(frames)) {}
+  FullChecker(const std::string& proofs, FrameFiles frames) : Checker(proofs), frames_(std::move(frames)) {}
 
   std::string run_all(const std::vector<std::string>& files, bool may_be_empty) {
     const std::string report = run(files, may_be_empty);
@@ -49,25 +49,17 @@ class FullChecker : public Checker {
     }
     std::string text = counted(count, "mesh query", "mesh queries") + " in " + counted(steps, "step", "steps") +
                        separation_.text + ": " + motion.contents();
-    if (!frames_.empty()) text += ", whose frames are those of the " + counted(frames_.size(), "file", "files");
+    if (!frames_.empty()) text += ", whose frames are those of the " + counted(frames_.file_count(), "file", "files");
     if (count == 0) text += std::string("; ") + kNoneNear;
     return text;
-  }
-
-  /// Compares a frame with its file, if there are some.
-  void compare_frame(const MotionFile& motion, std::size_t end) const {
-    if (frames_.empty()) return;
-    const std::size_t frame = motion.frame_count() - 2 + end;
-    if (frame >= frames_.size()) throw Rejected("the motion has more frames than --frames names files");
-    motion.compare_frame(frames_[frame], end);
   }
 
   /// @returns the number of steps
   std::size_t check_steps(MotionPairs& motion, const std::string& name) {
     std::size_t step = 0;
-    compare_frame(motion, 0);
+    frames_.compare(motion, 0);
     do {
-      compare_frame(motion, 1);
+      frames_.compare(motion, 1);
       const std::string step_name = "step " + std::to_string(step);
       if (words_ != Words{"step", std::to_string(step)}) throw expected("\"" + step_name + "\" of " + name);
       next();
@@ -86,12 +78,11 @@ class FullChecker : public Checker {
               "a proof too many: the step has no more pairs whose boxes are at most the separation apart");
       ++step;
     } while (motion.next_step());
-    require(frames_.empty() || frames_.size() == motion.frame_count(),
-            "--frames names more files than the motion has frames");
+    frames_.check_count(motion.frame_count());
     return step;
   }
 
-  std::vector<std::string> frames_;
+  FrameFiles frames_;
   unsigned long long motions_ = 0;
   Query query_;
 };
@@ -107,7 +98,8 @@ constexpr char kUsage[] =
     "  --allow-empty      accept a motion whose elements never come near enough to need a proof\n"
     "  --frames PATTERN   the frames of the motion must be these files, OBJ or binary PLY, bit by bit, and all of "
     "their\n"
-    "                     triangles, lines and points its elements; in quotes, such as 'cloth-*.obj'\n"
+    "                     triangles, lines and points its elements; in quotes, such as 'cloth-*.obj'. Once for each\n"
+    "                     part of a scene, in the order of the parts; one file is a part at rest then\n"
     "Exit status: 0 every proof holds, 1 some proof does not, is about other files, or none was needed, 2 bad usage, "
     "a\n"
     "file that cannot be read, or nothing to check: no query, or a motion in which no two elements could meet.\n";
@@ -115,14 +107,15 @@ constexpr char kUsage[] =
 }  // namespace
 
 int main(int argc, char** argv) {
-  std::vector<std::string> words(argv + 1, argv + argc), frames;
+  std::vector<std::string> words(argv + 1, argv + argc);
+  checker::FrameFiles frames;
   const bool help = !words.empty() && (words[0] == "--help" || words[0] == "-h");
   bool may_be_empty = false;
   try {
     while (!help && !words.empty() && (words[0] == "--allow-empty" || words[0] == "--frames")) {
       const std::size_t taken = words[0] == "--frames" ? 2 : 1;
       if (taken == 1) may_be_empty = true;
-      if (taken == 2 && words.size() > 1) frames = checker::files_of(words[1]);
+      if (taken == 2 && words.size() > 1) frames.add(words[1]);
       words.erase(words.begin(), words.begin() + static_cast<long>(std::min(taken, words.size())));
     }
     if (help || words.size() < 2) {

@@ -7,7 +7,7 @@
 #include <iterator>
 #include <sstream>
 
-#include "checker/input.hpp"
+#include "checker/curved_motion.hpp"
 
 namespace checker {
 
@@ -46,7 +46,8 @@ inline std::vector<std::string> files_of(const std::string& pattern) {
     }
     return a.size() < b.size();
   };
-  std::sort(files.begin(), files.end(), is_before);
+  std::sort(files.begin(), files.end());
+  std::stable_sort(files.begin(), files.end(), is_before);
   return files;
 }
 
@@ -170,7 +171,7 @@ class PlyFile {
   void read_header() {
     std::array<char, 1001> buffer{};
     for (std::size_t number = 0; file_.getline(buffer.data(), buffer.size()); ++number) {
-      std::string line = buffer.data();
+      std::string line(buffer.data(), static_cast<std::size_t>(file_.gcount()) - (file_.eof() ? 0 : 1));
       require(number < 1000, "the header has too many lines");
       if (!line.empty() && line.back() == '\r') line.pop_back();
       std::istringstream text(line);

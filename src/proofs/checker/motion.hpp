@@ -8,7 +8,6 @@
 #include <set>
 
 #include "checker/curved_motion.hpp"
-#include "checker/mesh_files.hpp"
 
 namespace checker {
 
@@ -30,6 +29,9 @@ struct Radius {
   Number length;
   std::string word;
 };
+
+/// Two numbers in ascending order.
+inline std::array<std::uint32_t, 2> side(std::uint32_t v, std::uint32_t w) { return {std::min(v, w), std::max(v, w)}; }
 
 /// A mesh, and the two frames of a step.
 class MotionFile {
@@ -69,42 +71,27 @@ class MotionFile {
 
   bool has_radii() const { return radii_.size() > 1; }
 
-  /// @param end  0 for the first frame of the step, 1 for the second one
-  /// @throws Rejected unless that frame is this file, bit by bit, with all of its triangles, lines and points, and their sides
-  /// and corners, among the elements
-  void compare_frame(const std::string& file, std::size_t end) const {
-    const std::string what = file + " and frame " + std::to_string(frame_ - 2 + end) + ": ";
-    const auto require = [&](bool holds, const std::string& reason) {
-      if (!holds) throw Rejected(what + reason);
-    };
-    const MeshFile mesh = read_mesh(file);
-    require(body_count_ == 0, "a motion with bodies has poses; --frames compares vertices");
-    require(mesh.positions.size() == 3 * std::size_t{count_},
-            std::to_string(mesh.positions.size() / 3) + " vertices, and " + std::to_string(count_));
-    for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
-      require(compare(mesh.positions[i], frames_[end][i]) == 0,
-              "the coordinates of vertex " + std::to_string(i / 3) + ", counted from 0, differ");
+  std::uint32_t vertex_count() const { return count_; }
+  std::uint32_t body_count() const { return body_count_; }
+  /// Points, edges or faces.
+  const std::vector<Element>& elements(std::size_t sort) const { return elements_[sort]; }
+  /// The coordinates of the vertices, at the start or the end of the step, in a motion without bodies.
+  const std::vector<Number>& coordinates(std::size_t end) const { return frames_[end]; }
+
+  /// The numbers of corners of edges and faces that have no line of their own, and of sides of faces likewise.
+  std::array<std::size_t, 2> undeclared() const {
+    std::set<std::uint32_t> corners;
+    std::set<std::array<std::uint32_t, 2>> sides;
+    for (const std::size_t sort : {1, 2}) {
+      for (const Element& e : elements_[sort]) {
+        for (std::size_t k = 0; k < e.size; ++k) {
+          if (single_[0].count(e.vertices[k]) == 0) corners.insert(e.vertices[k]);
+          if (sort == 2) sides.insert(side(e.vertices[k], e.vertices[(k + 1) % 3]));
+        }
+      }
     }
-    const auto sorted = [](std::array<std::uint32_t, 3> face) {
-      std::sort(face.begin(), face.end());
-      return face;
-    };
-    std::set<std::array<std::uint32_t, 3>> faces;
-    for (const Element& face : elements_[2]) faces.insert(sorted(face.vertices));
-    for (std::size_t i = 0; i < mesh.faces.size(); ++i) {
-      require(faces.count(sorted(mesh.faces[i])) > 0,
-              "face " + std::to_string(mesh.numbers[i]) + " of the file, counted from 0, is none of the motion");
-    }
-    std::set<std::array<std::uint32_t, 2>> edges;
-    for (const Element& edge : elements_[1]) edges.insert(side(edge.vertices[0], edge.vertices[1]));
-    for (const auto& [v, w] : mesh.edges) {
-      require(edges.count(side(v, w)) > 0, "a line of the file is no edge of the motion");
-    }
-    for (const std::uint32_t v : mesh.points)
-      require(single_[0].count(v) > 0, "a point of the file is none of the motion");
-    const auto [corners, sides] = undeclared();
-    require(corners == 0, counted(corners, "corner is no point", "corners are no points"));
-    require(sides == 0, counted(sides, "side is no edge", "sides are no edges"));
+    for (const Element& edge : elements_[1]) sides.erase(side(edge.vertices[0], edge.vertices[1]));
+    return {corners.size(), sides.size()};
   }
 
   /// Reads a frame, whose line "frame" is the current one, and the line after it. @returns false if there is none
@@ -258,26 +245,6 @@ class MotionFile {
           e.body = kNoBody;
       }
     }
-  }
-
-  /// The numbers of corners of edges and faces that have no line of their own, and of sides of faces likewise.
-  std::array<std::size_t, 2> undeclared() const {
-    std::set<std::uint32_t> corners;
-    std::set<std::array<std::uint32_t, 2>> sides;
-    for (const std::size_t sort : {1, 2}) {
-      for (const Element& e : elements_[sort]) {
-        for (std::size_t k = 0; k < e.size; ++k) {
-          if (single_[0].count(e.vertices[k]) == 0) corners.insert(e.vertices[k]);
-          if (sort == 2) sides.insert(side(e.vertices[k], e.vertices[(k + 1) % 3]));
-        }
-      }
-    }
-    for (const Element& edge : elements_[1]) sides.erase(side(edge.vertices[0], edge.vertices[1]));
-    return {corners.size(), sides.size()};
-  }
-
-  static std::array<std::uint32_t, 2> side(std::uint32_t v, std::uint32_t w) {
-    return {std::min(v, w), std::max(v, w)};
   }
 
   /// Sets the edges that are no sides of faces, and the pairs of vertices that they join.

@@ -144,8 +144,8 @@ let has_pair m =
   || meet (are_joined w) (w.ends, w.wires)
 
 let counted n one several = Printf.sprintf "%d %s" n (if n = 1 then one else several)
-(* What the proofs are about, with the corners and the sides that are no elements. *)
-let contents m =
+(* The numbers of corners that are no points, and of sides that are no edges. *)
+let undeclared m =
   let { points; edges; faces; _ } = m.mesh in
   let corners = Hashtbl.create 64 and sides = Hashtbl.create 64 in
   let side v w = if Z.lt v w then (v, w) else (w, v) in
@@ -155,8 +155,12 @@ let contents m =
   List.iter (fun e -> corners_of e; add_sides (e.vertices @ [List.hd e.vertices])) faces;
   List.iter (fun e -> List.iter (Hashtbl.remove corners) e.vertices) points;
   List.iter (fun e -> Hashtbl.remove sides (side (List.hd e.vertices) (List.nth e.vertices 1))) edges;
+  (Hashtbl.length corners, Hashtbl.length sides)
+(* What the proofs are about, and what is no element. *)
+let contents m =
+  let { points; edges; faces; _ } = m.mesh and (corners, sides) = undeclared m in
   let some n text = if n = 0 then [] else [text] in
-  let on_bodies = Hashtbl.length m.on_bodies and corners = Hashtbl.length corners and sides = Hashtbl.length sides in
+  let on_bodies = Hashtbl.length m.on_bodies in
   let elements l name = counted (List.length l) name (name ^ "s") in
   let with_radii { lengths; near } =
     let of_sort = List.filter_map (fun e -> Hashtbl.find_opt lengths (List.length e.vertices, e.index)) in

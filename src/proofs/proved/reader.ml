@@ -31,6 +31,7 @@ let straight q corners =
   let (starts, ends) = split corners (List.init (2 * corners) point) in
   List.map2 (fun a b -> On_curve [a; b]) starts ends
 
+let real f word = rational (double f word)
 (* Curved motion: a row for each corner, and for each body's motion before its corners. *)
 let curved q corners =
   (match q.row with
@@ -42,7 +43,7 @@ let curved q corners =
   let rec read motions known = match q.row with
     | "motion" :: ("0" | "1" | "2" | "3" as m) :: numbers
       when List.length numbers = 14 && not (List.mem_assoc m motions) ->
-      (match List.map (double q.f) numbers with
+      (match List.map (real q.f) numbers with
        | s_0 :: a :: b :: c :: s_1 :: d :: e :: g :: rest ->
          let v_0 = { qx = a; qy = b; qz = c } and v_1 = { qx = d; qy = e; qz = g } in
          let (p_0, p_1) = match points rest with [p_0; p_1] -> (p_0, p_1) | _ -> assert false in
@@ -53,11 +54,11 @@ let curved q corners =
          read ((m, motion) :: motions) known
        | _ -> assert false)
     | "body" :: m :: ([_; _; _] as y) when List.mem_assoc m motions ->
-      let y = List.hd (points (List.map (double q.f) y)) in
+      let y = List.hd (points (List.map (real q.f) y)) in
       advance q;
       read motions ((m, On_body (Z.succ (Z.of_string m), List.assoc m motions, y)) :: known)
     | "curve" :: numbers when List.mem (List.length numbers) [3; 6; 9; 12] ->
-      let control = points (List.map (double q.f) numbers) in
+      let control = points (List.map (real q.f) numbers) in
       advance q;
       read motions (("", On_curve control) :: known)
     | [] | "query" :: _ ->
@@ -147,7 +148,7 @@ let check_pairs f name k near holds m mesh line =
     reject f "a proof too many: the step has no more pairs whose boxes are at most the separation apart";
   let counted_contacts n ((_, answer), _) = if answer = No_contact then n else n + 1 in
   (Array.length pairs, Array.fold_left counted_contacts 0 claims, !rest)
-let check_motion f digest name apart line =
+let check_motion f digest name apart parts line =
   let (first, next) = opened_motion name apart in
   let has_radii = first.radii <> None in
   if has_radii && apart <> Zero then
@@ -159,27 +160,33 @@ let check_motion f digest name apart line =
     Array.to_list (Array.map snd keyed) in
   let { points; edges; faces; _ } = first.mesh in
   let mesh = { first.mesh with points = in_order points; edges = in_order edges; faces = in_order faces } in
-  let near = near_pairs mesh and holds = check_step mesh in
+  let near = near_pairs mesh and holds = check_step mesh and compare_frame = Frames.comparison parts first in
   let rec check_from m k pairs contacts line =
+    compare_frame m.after (k + 1);
     if line <> ["step"; string_of_int k] then reject f (Printf.sprintf "here must be \"step %d\" of %s" k name);
     let (p, c, line) = check_pairs f name k near holds m mesh (words f) in
     match next m with
     | Some m -> check_from m (k + 1) (pairs + p) (contacts + c) line
     | None -> (m, k + 1, pairs + p, contacts + c, line) in
-  let (last, steps, pairs, contacts, line) = check_bound name first.f digest (fun () -> check_from first 0 0 0 line) in
+  let check () =
+    compare_frame first.before 0;
+    let (last, _, _, _, _) as checked = check_from first 0 0 0 line in
+    Frames.check_count parts last.frames;
+    checked in
+  let (last, steps, pairs, contacts, line) = check_bound name first.f digest check in
   let contents = contents last in
   if pairs = 0 && not (has_pair last) then
     raise (Bad (Printf.sprintf "%s: there is nothing to check: %s, but no two elements that share no vertex and are \
       neither all fixed nor all on one body" name contents));
   let text separation =
     let separation = if has_radii then " with separation euclidean, the sum of two radii" else separation in
-    Printf.sprintf " in %s%s: %s%s" (counted steps "step" "steps") separation contents
+    Printf.sprintf " in %s%s: %s%s%s" (counted steps "step" "steps") separation contents (Frames.summary parts)
     (if pairs = 0 then "; " ^ none_near else "") in
   (pairs, contacts, line, counted pairs "mesh query" "mesh queries", text)
 
 (* The proofs of one file; what is said of it is added to the report.
    @returns how many queries, contacts and motions it has, and the next line *)
-let check_file f report line name =
+let check_file f report parts line name =
   let (apart, separation, line) = match line with
     | ["separation"; ("euclidean" | "max" as metric); word] ->
       let d = rational (number f word) in
@@ -192,23 +199,25 @@ let check_file f report line name =
   | "file" :: kind :: digest :: _ :: _ when (kind = "mesh" || List.mem_assoc kind kinds) && is_digest digest ->
     let is_mesh = kind = "mesh" and line = words f in
     let (queries, contacts, line, number, text) =
-      if is_mesh then check_motion f digest name apart line
+      if is_mesh then check_motion f digest name apart parts line
       else check_queries f (List.assoc kind kinds, kind) digest name apart line in
     Buffer.add_string report (Printf.sprintf "%s: %s%s\n" (printable name) number (text separation));
     (queries, contacts, Bool.to_int is_mesh, line)
   | _ -> reject f ("here must be \"file KIND DIGEST NAME\": the proofs for " ^ name)
 
-let run allow_empty proofs files =
+let run allow_empty parts proofs files =
   let f = opened proofs and report = Buffer.create 256 in
   if words f <> ["touchstone-proofs"; "1"] then bad f "the first line must be \"touchstone-proofs 1\"";
   let check (queries, contacts, motions, line) name =
-    let (q, c, m, line) = check_file f report line name in (queries + q, contacts + c, motions + m, line) in
+    let (q, c, m, line) = check_file f report parts line name in (queries + q, contacts + c, motions + m, line) in
   let (queries, contacts, motions, line) = List.fold_left check (0, 0, 0, words f) files in
   if line <> ["end"; string_of_int queries; string_of_int contacts] || words f <> [] then
     reject f (Printf.sprintf "here must be \"end %d %d\", and nothing after it" queries contacts);
   if queries = 0 && not allow_empty then
     raise (Rejected ("no query was checked: " ^ none_near ^ "; --allow-empty accepts this, and the digest of each file \
       must show that it is the right one"));
+  if parts <> [] && (motions <> 1 || List.length files <> 1) then
+    raise (Bad "--frames goes with one motion file and nothing else");
   let answers = Printf.sprintf "%s, %d without contact" (counted contacts "contact" "contacts") (queries - contacts) in
   print_string (Buffer.contents report);
   Printf.printf "%s checked: %s%s\n%!" (counted queries "query" "queries") (if queries > 0 then answers else none_near)
@@ -216,23 +225,25 @@ let run allow_empty proofs files =
 
 let () =
   let finish status text = prerr_endline text; exit status in
-  let usage = "usage: touchstone-check-proved [--allow-empty] PROOFS FILE...\n\
+  let usage = "usage: touchstone-check-proved [OPTION]... PROOFS FILE...\n\
     Checks the proofs of `touchstone prove` against their query files or motion files, in their order. Each file must\n\
     have the digest that the proofs name. The checker is proved in Coq.\n\
-    \  --allow-empty   accept a motion whose elements never come near enough to need a proof\n\
+    \  --allow-empty      accept a motion whose elements never come near enough to need a proof\n\
+    \  --frames PATTERN   the frames of the motion must be these files, OBJ or binary PLY, bit by bit, and all of\n\
+    \                     their triangles, lines and points its elements; in quotes, such as 'cloth-*.obj'. Once for\n\
+    \                     each part of a scene, in the order of the parts; one file is a part at rest then\n\
     Exit status: 0 every proof holds, 1 some proof does not, is about other files, or none was needed, 2 bad usage, a\n\
     file that cannot be read, or nothing to check: no query, or a motion in which no two elements could meet." in
-  let (allow_empty, words) = match List.tl (Array.to_list Sys.argv) with
-    | "--allow-empty" :: rest -> (true, rest)
-    | words -> (false, words) in
-  match words with
-  | ("--help" | "-h") :: _ -> print_endline usage
-  | proofs :: (_ :: _ as files) ->
-    (try run allow_empty proofs files with
-     | Rejected reason -> finish 1 ("rejected: " ^ printable reason)
-     | Bad reason -> finish 2 ("touchstone-check-proved: " ^ printable reason)
-     | Sys_error reason ->
-       close_out_noerr stdout;
-       finish 2 ("touchstone-check-proved: standard output cannot be written: " ^ printable reason)
-     | Out_of_memory | Stack_overflow -> finish 2 "touchstone-check-proved: the files are too large")
-  | _ -> finish 2 usage
+  let rec run_with allow_empty patterns = function
+    | "--allow-empty" :: rest -> run_with true patterns rest
+    | "--frames" :: pattern :: rest -> run_with allow_empty (pattern :: patterns) rest
+    | ("--help" | "-h") :: _ -> print_endline usage
+    | proofs :: (_ :: _ as files) -> run allow_empty (List.rev_map Frames.part patterns) proofs files
+    | _ -> finish 2 usage in
+  try run_with false [] (List.tl (Array.to_list Sys.argv)) with
+  | Rejected reason -> finish 1 ("rejected: " ^ printable reason)
+  | Bad reason -> finish 2 ("touchstone-check-proved: " ^ printable reason)
+  | Sys_error reason ->
+    close_out_noerr stdout;
+    finish 2 ("touchstone-check-proved: standard output cannot be written: " ^ printable reason)
+  | Out_of_memory | Stack_overflow -> finish 2 "touchstone-check-proved: the files are too large"

@@ -121,7 +121,7 @@ let rec nearest m d e =
   let half = Z.compare (Z.shift_left rest 1) below in
   if Z.numbits quotient > 53 then nearest m d (e + 1)
   else ((if half > 0 || (half = 0 && Z.is_odd quotient) then Z.succ quotient else quotient), e)
-let double f word =  (* of a row of curved motion *)
+let double f word =  (* of a row of curved motion, or of a mesh file, as m 2^e *)
   let (negative, s) = without_sign word in
   let is_hex = has_prefix s "0x" || has_prefix s "0X" in
   let read = if is_hex then digits 16 ['p'; 'P'] 4096 (after_prefix s) else digits 10 ['e'; 'E'] 4096 s in
@@ -132,5 +132,5 @@ let double f word =  (* of a row of curved motion *)
       let (m, e) = nearest m d (max (Z.numbits m - Z.numbits d - 53) (-1074)) in
       if Z.sign m = 0 || Z.numbits m + e > 1024 then None else Some (m, e) in
   match Option.bind read rounded with
-  | Some x -> rational (with_sign negative x)
+  | Some x -> with_sign negative x
   | None -> bad f "here must be a finite double, such as 0.25 or 0x1p-2"

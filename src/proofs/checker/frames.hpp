@@ -1,0 +1,113 @@
+// The frames of a motion beside the mesh files of a person, for the option --frames of touchstone-check.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "checker/mesh_files.hpp"
+#include "checker/motion.hpp"
+
+namespace checker {
+
+/// The files of the frames. The vertices of a frame are those of one file, or of several parts one after the other.
+class FrameFiles {
+ public:
+  /// A part of the mesh. One file, beside other parts, is at rest.
+  void add(const std::string& pattern) { parts_.push_back({files_of(pattern), "", {}}); }
+
+  bool empty() const { return parts_.empty(); }
+  std::size_t file_count() const {
+    std::size_t count = 0;
+    for (const Part& part : parts_) count += part.files.size();
+    return count;
+  }
+
+  /// @param end  0 for the first frame of the step, 1 for the second one
+  /// @throws Rejected unless that frame is its files, bit by bit, with all of their triangles, lines and points, and the
+  /// sides and corners of these, among the elements
+  void compare(const MotionFile& motion, std::size_t end) {
+    if (empty()) return;
+    const std::size_t frame = motion.frame_count() - 2 + end;
+    if (motion.body_count() > 0) throw Rejected("a motion with bodies has poses; --frames compares vertices");
+    const Elements elements(motion);
+    std::uint32_t first = 0;
+    for (Part& part : parts_) {
+      if (frame >= part.files.size() && !is_at_rest(part))
+        throw Rejected("the motion has more frames than --frames names files");
+      const std::string& file = part.files[is_at_rest(part) ? 0 : frame];
+      if (part.name != file) part.mesh = read_mesh(file);
+      part.name = file;
+      compare(motion.coordinates(end), elements, part, first, file + " and frame " + std::to_string(frame) + ": ");
+      first += static_cast<std::uint32_t>(part.mesh.positions.size() / 3);
+    }
+    const std::string what = "frame " + std::to_string(frame) + ": ";
+    require(first == motion.vertex_count(), parts_.back().name + " and " + what + std::to_string(first) +
+                                                " vertices, and " + std::to_string(motion.vertex_count()));
+    const auto [corners, sides] = motion.undeclared();
+    require(corners == 0, what + counted(corners, "corner is no point", "corners are no points"));
+    require(sides == 0, what + counted(sides, "side is no edge", "sides are no edges"));
+  }
+
+  /// @throws Rejected if there are more files than frames
+  void check_count(std::size_t frames) const {
+    for (const Part& part : parts_) {
+      require(part.files.size() <= frames, "--frames names more files than the motion has frames");
+    }
+  }
+
+ private:
+  struct Part {
+    std::vector<std::string> files;
+    std::string name;  ///< of the file that was read last
+    MeshFile mesh;
+  };
+
+  /// Those of a motion by their vertices, in ascending order.
+  struct Elements {
+    std::set<std::array<std::uint32_t, 3>> faces;
+    std::set<std::array<std::uint32_t, 2>> edges;
+    std::set<std::uint32_t> points;
+
+    explicit Elements(const MotionFile& motion) {
+      for (const Element& point : motion.elements(0)) points.insert(point.vertices[0]);
+      for (const Element& edge : motion.elements(1)) edges.insert(side(edge.vertices[0], edge.vertices[1]));
+      for (const Element& face : motion.elements(2)) faces.insert(sorted(face.vertices));
+    }
+  };
+  static std::array<std::uint32_t, 3> sorted(std::array<std::uint32_t, 3> face) {
+    std::sort(face.begin(), face.end());
+    return face;
+  }
+
+  static void require(bool holds, const std::string& reason) {
+    if (!holds) throw Rejected(reason);
+  }
+  bool is_at_rest(const Part& part) const { return parts_.size() > 1 && part.files.size() == 1; }
+
+  static void compare(const std::vector<Number>& coordinates, const Elements& elements, const Part& part,
+                      std::uint32_t first, const std::string& what) {
+    const MeshFile& mesh = part.mesh;
+    const std::size_t begin = 3 * std::size_t{first}, end = begin + mesh.positions.size();
+    require(end <= coordinates.size(), what + std::to_string(mesh.positions.size() / 3) + " vertices, and " +
+                                           std::to_string((coordinates.size() - begin) / 3));
+    for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
+      require(checker::compare(mesh.positions[i], coordinates[begin + i]) == 0,
+              what + "the coordinates of vertex " + std::to_string(i / 3) + ", counted from 0, differ");
+    }
+    for (std::size_t i = 0; i < mesh.faces.size(); ++i) {
+      std::array<std::uint32_t, 3> face = sorted(mesh.faces[i]);
+      for (std::uint32_t& v : face) v += first;
+      require(elements.faces.count(face) > 0,
+              what + "face " + std::to_string(mesh.numbers[i]) + " of the file, counted from 0, is none of the motion");
+    }
+    for (const auto& [v, w] : mesh.edges) {
+      require(elements.edges.count(side(first + v, first + w)) > 0,
+              what + "a line of the file is no edge of the motion");
+    }
+    for (const std::uint32_t v : mesh.points) {
+      require(elements.points.count(first + v) > 0, what + "a point of the file is none of the motion");
+    }
+  }
+
+  std::vector<Part> parts_;
+};
+
+}  // namespace checker
