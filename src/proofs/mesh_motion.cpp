@@ -262,6 +262,11 @@ std::string motion_head(const MotionElements& elements) {
   for (Index vertex = 0; vertex < elements.fixed.size(); ++vertex) {
     if (elements.fixed[vertex] != 0) add("fixed", std::array{vertex});
   }
+  for (Index vertex = 0; vertex < elements.groups.of_vertices.size(); ++vertex) {
+    const Index group = elements.groups.of_vertices[vertex];
+    if (group != MotionGroups::kNone) add("group", std::array{vertex, group});
+  }
+  for (const auto& groups : elements.groups.ignored) add("ignore", groups);
   for (std::size_t i = 0; i < elements.on_bodies.size(); ++i) {
     const BodyVertex& vertex = elements.on_bodies[i];
     text += "body " + std::to_string(elements.free_count() + i) + ' ' + std::to_string(vertex.body) + ' ';

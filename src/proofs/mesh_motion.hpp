@@ -14,6 +14,8 @@
 #include <touchstone/query.hpp>
 #include <touchstone/separation.hpp>
 
+#include "proofs/motion_groups.hpp"
+
 namespace touchstone::proofs {
 
 /// A vertex that is a point of a body.
@@ -41,6 +43,7 @@ struct MotionElements {
   std::vector<char> fixed;                          ///< by vertex: whether it never moves; empty when all may
   std::vector<BodyVertex> on_bodies = {};           ///< the last vertices
   MotionRadii radii = {};
+  MotionGroups groups = {};
 
   std::size_t free_count() const noexcept { return vertex_count - on_bodies.size(); }  ///< vertices on no body
 };

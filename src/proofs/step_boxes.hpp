@@ -8,7 +8,9 @@
 #include <cstdint>
 #include <functional>
 #include <limits>
+#include <map>
 #include <mutex>
+#include <set>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -90,6 +92,7 @@ class Rules {
   bool may_meet(const std::array<Index, N>& a, const std::array<Index, M>& b) const noexcept {
     if (share_vertex(a, b)) return false;
     if (!elements_.fixed.empty() && all_fixed(a) && all_fixed(b)) return false;
+    if (!elements_.groups.are_asked(a, b)) return false;
     return elements_.on_bodies.empty() || !on_one_body(a, b);
   }
 
@@ -110,7 +113,10 @@ class Rules {
     if (!elements_.fixed.empty() && all([&](const auto& e) { return all_fixed(e); })) return false;
     const auto first = a.corners(0);
     if (!elements_.on_bodies.empty() && all([&](const auto& e) { return on_one_body(first, e); })) return false;
+    auto has_partner = partners_in(b);
     for (Index i = 0; i < a.size(); ++i) {
+      const auto& corners = a.corners(i);
+      if (std::none_of(corners.begin(), corners.end(), std::ref(has_partner))) continue;
       for (Index j = 0; j < b.size(); ++j) {
         if (may_meet(a.corners(i), b.corners(j)) && keep(a.corners(i), b.corners(j))) return true;
       }
@@ -119,6 +125,25 @@ class Rules {
   }
 
  private:
+  /// A function of a vertex: is its group asked about with one of the list?
+  template <class List>
+  auto partners_in(const List& list) const {
+    std::set<Index> groups;
+    const auto& group_of = elements_.groups.of_vertices;
+    for (Index i = 0; i < list.size() && !group_of.empty(); ++i) {
+      for (const Index v : list.corners(i)) groups.insert(group_of[v]);
+    }
+    return [&group_of, groups, this, known = std::map<Index, bool>()](Index v) mutable {
+      if (group_of.empty()) return true;
+      const auto [found, is_new] = known.emplace(group_of[v], false);
+      if (is_new) {
+        found->second = std::any_of(groups.begin(), groups.end(),
+                                    [&](Index h) { return elements_.groups.are_asked(group_of[v], h); });
+      }
+      return found->second;
+    };
+  }
+
   template <std::size_t N>
   bool all_fixed(const std::array<Index, N>& corners) const noexcept {
     return std::all_of(corners.begin(), corners.end(), [&](Index v) { return elements_.fixed[v] != 0; });

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "cli/mesh_runs.hpp"
+#include "cli/run_checker.hpp"
 
 using namespace touchstone;
 using namespace touchstone::tests;
@@ -68,6 +69,42 @@ TEST_CASE("parts that are ignored may pass through each other, and the verdict s
   CHECK(run.status == 0);
   CHECK(verdict(run).ends_with("; these parts were not asked about: base and top"));
   CHECK(mesh({"--separation", "0.75", "--between-parts", one, two}).status == 1);
+}
+
+TEST_CASE("proofs are about the parts that are asked about, and the checker says which are not") {
+  const TemporaryFolder folder;
+  const std::string wire = "v 0.1 0.1 -1\nv 0.1 0.1 -2\nl 9 10\n";
+  const std::string one = folder.write("t-1.obj", two_tetrahedra(1) + wire),
+                    two = folder.write("t-2.obj", two_tetrahedra(-0.5) + wire);
+  int runs = 0;
+  const auto prove = [&](std::vector<std::string> options, int status, const std::string& words) {
+    const std::string proved = folder.path("p" + std::to_string(++runs));
+    options.insert(options.end(), {"--separation", "0.75", "--prove", proved, one, two});
+    const Run run = mesh(options);
+    CAPTURE(run.out, run.err);
+    CHECK(run.status == status);
+    const Run checked = run_checker({proved + "/proofs.txt"}, {proved + "/motion.txt"});
+    CAPTURE(checked.out, checked.err);
+    CHECK(checked.status == 0);
+    CHECK(occurrences(checked.out, words) == 1);
+    CHECK((occurrences(checked.out, " 0 contacts, ") == 1) == (status == 0));
+  };
+  prove({}, 1, ": 2 frames, 10 vertices, 10 points, 13 edges, 8 faces\n");
+  prove({"--between-parts"}, 1, "8 faces, 2 groups of vertices, 2 pairs of groups not asked about: 0-0 1-1\n");
+  prove({"--between-parts", "--ignore", "base,top"}, 0,
+        "2 groups of vertices, 3 pairs of groups not asked about: 0-0 0-1 1-1\n");
+  prove({"--ignore", "base,top"}, 1, "2 groups of vertices, 1 pair of groups not asked about: 0-1\n");
+  prove({"--only-between", "base,top"}, 1,
+        "3 groups of vertices, 5 pairs of groups not asked about: 0-0 0-2 1-1 1-2 2-2\n");
+  prove({"--only-between", "top,top"}, 1, "2 groups of vertices, 2 pairs of groups not asked about: 0-0 0-1\n");
+  // A motion without the line that leaves a pair out asks for more proofs.
+  std::string motion = folder.read("p2/motion.txt");
+  motion.erase(motion.find("ignore 0 0\n"), 11);
+  std::string proofs = folder.read("p2/proofs.txt");
+  proofs.replace(proofs.find("file mesh ") + 10, 64, "-");
+  const Run refused = run_checker({folder.write("proofs.txt", proofs)}, {folder.write("motion.txt", motion)});
+  CHECK(refused.status == 1);
+  CHECK(occurrences(refused.err, "rejected: ") == 1);
 }
 
 TEST_CASE("elements in no part are asked about between parts, too") {
@@ -226,7 +263,6 @@ TEST_CASE("options about parts that mean nothing are refused") {
   refused({"--ignore", "base,tip"}, "t-1.obj: 'base,tip' names no two parts");
   refused({"--ignore", "*,*"}, "has no two parts that are left to ask about");
   refused({"--ignore", "base,top", "--only-between", "base,top"}, "--only-between excludes --ignore");
-  refused({"--between-parts", "--prove", folder.path("p")}, "--between-parts excludes --prove");
   refused({"--between-parts", "--check", "--in-order"}, "parts are those of one mesh");
 }
 

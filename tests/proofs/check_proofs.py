@@ -522,6 +522,8 @@ class Motion:
         self.words_of_radii = {}
         self.near = set()  # pairs of vertices
         self.has_radii = False
+        self.groups = {}  # by vertex
+        self.ignored = set()  # pairs of groups; of one that is ignored with itself, the one
         self.read_elements()
         self.fixed = {vertex for vertex, in self.elements.pop(b"fixed")}
         self.bodies = {}  # the body of a vertex, and its point there
@@ -563,6 +565,20 @@ class Motion:
                 if len(words) != 2 or len(pair) != 2 or max(pair) >= self.count or pair in self.near:
                     raise BadInput(f"{self.lines.place()}: expected near V W, two vertices that are not near yet")
                 self.near.add(pair)
+                self.lines.advance()
+                continue
+            if sort in (b"group", b"ignore"):
+                numbers = [self.read_integer(word) for word in words]
+                if len(numbers) != 2 or max(numbers) > MAX_VERTICES:
+                    raise BadInput(f"{self.lines.place()}: expected group V G or ignore G H")
+                if sort == b"ignore":
+                    known = frozenset(numbers) in self.ignored
+                    self.ignored.add(frozenset(numbers))
+                else:
+                    known = numbers[0] >= self.count or numbers[0] in self.groups
+                    self.groups[numbers[0]] = numbers[1]
+                if known:
+                    raise BadInput(f"{self.lines.place()}: there is such a line already, or no such vertex")
                 self.lines.advance()
                 continue
             if sort not in self.SIZES:
@@ -709,6 +725,12 @@ class Motion:
         if self.bodies:
             on_bodies = counted(len(self.bodies), "vertex", "vertices")
             counts.append(f"{on_bodies} on {counted(self.body_count, 'body', 'bodies')}")
+        if self.ignored:
+            pairs = sorted((min(pair), max(pair)) for pair in self.ignored)
+            shown = "".join(f" {g}-{h}" for g, h in pairs[:10]) + (f" and {len(pairs) - 10} more" if pairs[10:] else "")
+            groups = counted(len(set(self.groups.values())), "group", "groups")
+            pairs = counted(len(pairs), "pair", "pairs")
+            counts.append(f"{groups} of vertices, {pairs} of groups not asked about:{shown}")
         corners = {vertex for sort in (b"edge", b"face") for element in self.elements[sort] for vertex in element}
         corners -= {vertex for vertex, in self.elements[b"point"]}
         sides = {frozenset(side) for face in self.elements[b"face"] for side in itertools.combinations(face, 2)}
@@ -745,6 +767,9 @@ class Motion:
         first, second = sorted((first, second), key=lambda element: (order[element[0]], element[1]))
         vertices = first[2] + second[2]
         if set(first[2]) & set(second[2]) or self.fixed.issuperset(vertices):
+            return None
+        groups = ([self.groups.get(vertex) for vertex in element[2]] for element in (first, second))
+        if self.ignored.issuperset(frozenset(pair) for pair in itertools.product(*groups)):
             return None
         bodies = {self.bodies[vertex][0] if vertex in self.bodies else None for vertex in vertices}
         if len(bodies) == 1 and None not in bodies:

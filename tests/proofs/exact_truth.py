@@ -229,9 +229,10 @@ class Motion:
         self.bodies = {}
         self.near = set()
         self.has_radii = False
+        self.groups, self.ignored = {}, []
         radius = 0
         rest = 2
-        while rest < len(lines) and lines[rest][0] in list(self.SIZES) + ["body", "radius", "near"]:
+        while rest < len(lines) and lines[rest][0] in list(self.SIZES) + ["body", "radius", "near", "group", "ignore"]:
             sort, *words = lines[rest]
             if sort == "radius":
                 radius, = (value(word) for word in words)
@@ -243,6 +244,15 @@ class Motion:
                 if len(words) != 2 or len(pair) != 2 or pair in self.near or not 0 <= min(pair) <= max(pair) < count:
                     raise BadMotion
                 self.near.add(pair)
+            elif sort in ("group", "ignore"):
+                a, b = (int(word) for word in words)
+                known = a in self.groups or a >= count if sort == "group" else [a, b] in self.ignored
+                if known or min(a, b) < 0:
+                    raise BadMotion
+                if sort == "group":
+                    self.groups[a] = b
+                else:
+                    self.ignored += [[a, b], [b, a]]
             elif sort == "body":
                 if int(words[0]) in self.bodies or not 0 <= int(words[0]) < count:
                     raise BadMotion
@@ -316,7 +326,7 @@ def first_contact_of_bodies(motions, corners, split, metric, separation):
     return first_contact_on(rigid, polynomials, split, metric, separation)
 
 
-def pairs_of(elements, bodies):
+def pairs_of(elements, bodies, groups, ignored):
     """All pairs of a motion, near or far, in the order of the proofs: the vertices of both elements, and whether the
     pair is a fold, for which a separation does not count."""
     fixed = {v for v, in elements["fixed"]}
@@ -334,7 +344,8 @@ def pairs_of(elements, bodies):
         for first, second in pairs:
             on = {bodies[v][0] if v in bodies else None for v in first + second}
             on_one_body = len(on) == 1 and None not in on
-            if not set(first) & set(second) and not fixed.issuperset(first + second) and not on_one_body:
+            is_asked = any([groups.get(v), groups.get(w)] not in ignored for v in first for w in second)
+            if not set(first) & set(second) and not fixed.issuperset(first + second) and not on_one_body and is_asked:
                 yield first, second, pairs is folds
 
 
@@ -360,7 +371,7 @@ def truths_of_motion(text, metric, separation):
     try:
         motion = Motion(text)
         answers = []
-        pairs = list(pairs_of(motion.elements, motion.bodies))
+        pairs = list(pairs_of(motion.elements, motion.bodies, motion.groups, motion.ignored))
         if not pairs or (motion.has_radii and separation > 0):
             raise BadMotion
         for start, end in zip(motion.frames, motion.frames[1:]):

@@ -677,6 +677,31 @@ def change_radii(rng, file, other):
     return [file]
 
 
+def change_groups(rng, file, other):
+    """A vertex gets another group or loses its own, or two groups are ignored or not any more."""
+    if file.kind != "mesh":
+        return None
+    head, frames = file.motion()
+    groups, ignored = ([words for words in head if words[0] == sort] for sort in ("group", "ignore"))
+    names = [words[2] for words in groups] + [name for words in ignored for name in words[1:]] + ["0", "1"]
+    change = rng.random()
+    if groups and change < 0.4:
+        rng.choice(groups)[2] = rng.choice(names)
+    elif groups and change < 0.5:
+        head.remove(rng.choice(groups))
+    elif ignored and change < 0.75:
+        head.remove(rng.choice(ignored))
+    else:
+        known = {words[1] for words in groups}
+        vertices = [str(v) for v in range(int(head[1][1])) if str(v) not in known]
+        one = ["group", rng.choice(vertices), rng.choice(names)] if vertices and change < 0.9 else None
+        head += [one or ["ignore", rng.choice(names), rng.choice(names)]]
+        if not ignored and rng.random() < 0.5:
+            head.append(["ignore", rng.choice(names), rng.choice(names)])
+    file.set_motion(head, frames)
+    return [file]
+
+
 def change_frames(rng, file, other):
     """A frame drops, doubles or changes its place."""
     if file.kind != "mesh":
@@ -719,7 +744,7 @@ def reorder_proofs(rng, file, other):
 FILE_MUTATIONS = [change_separation_by_ulps, scale_separation, change_metric, drop_separation, add_separation,
                   move_separation, move_separation_line, use_other_file, change_kind, change_coordinate,
                   change_curved_rows, drop_step, drop_step_line, double_step, swap_steps, drop_pair, double_pair, swap_pairs, move_pair, empty_step,
-                  add_fixed, drop_fixed, change_elements, change_radii, change_frames, truncate_proofs, reorder_proofs]
+                  add_fixed, drop_fixed, change_elements, change_radii, change_groups, change_frames, truncate_proofs, reorder_proofs]
 MUTATIONS = PROOF_MUTATIONS + FILE_MUTATIONS
 
 
@@ -861,6 +886,8 @@ def motion_cases_of(file, parts):
             new_head.append([sort.decode()] + [names[v] for v in vertices])
         new_head += [["fixed", names[v]] for v in used if v in motion.fixed]
         new_head += [["near"] + [names[v] for v in pair] for pair in motion.near if pair <= set(used)]
+        new_head += [["group", names[v], str(motion.groups[v])] for v in used if v in motion.groups]
+        new_head += [["ignore"] + [str(group) for group in (min(pair), max(pair))] for pair in motion.ignored]
         bodies = sorted({motion.bodies[v][0] for v in used if v in motion.bodies})
         for words in head:
             if words[0] == "body" and int(words[1]) in names:

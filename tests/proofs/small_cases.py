@@ -532,6 +532,52 @@ def radius_cases():
     ]]
 
 
+def group_cases():
+    touching = ["contact 0 0", "w 0 1", "w 1 1"]
+    two = "group 0 0\ngroup 1 1\n"
+
+    def points(groups, elements="point 0\npoint 1\npoint 2\n"):
+        """Points 1 and 2 are at the distance 1 from point 0 in the metric max, and at 2 from each other."""
+        frame = "frame\n0 0 0\n1 1 0\n1 -1 0\n90 0 0\n"
+        return "touchstone-motion 1\nvertices 4\n" + elements + groups + 2 * frame
+
+    def wire(groups):
+        return points(groups, "point 0\nedge 1 3\n")
+
+    def proof(count):
+        return crowd_proof(count * [touching], "max 1")
+
+    return [("group: " + name, status, proof(count), [text]) for name, status, count, text in [
+        ("none", 0, 2, points("")),
+        ("two, and nothing ignored", 0, 2, points(two)),
+        ("two that are ignored", 0, 1, points(two + "ignore 0 1\n")),
+        ("two that are ignored, with their pair", 1, 2, points(two + "ignore 0 1\n")),
+        ("in the other order", 0, 1, points(two + "ignore 1 0\n")),
+        ("before the elements", 0, 1, points("", "ignore 1 0\n" + two + "point 0\npoint 1\npoint 2\n")),
+        ("the line ignore is missing", 1, 1, points(two)),
+        ("a line group is missing", 1, 1, points("group 0 0\nignore 0 1\n")),
+        ("a vertex in another group", 1, 1, points(two.replace("1 1", "1 2") + "ignore 0 1\n")),
+        ("two others are ignored", 0, 1, points(two + "group 2 2\nignore 2 0\n")),
+        ("within a group", 0, 1, points("group 0 5\ngroup 1 5\nignore 5 5\n")),
+        ("within another group", 0, 2, points("group 0 5\ngroup 1 5\nignore 4 4\n")),
+        ("between the two, not within", 1, 1, points("group 0 5\ngroup 1 5\nignore 4 5\n")),
+        ("all is ignored", 2, 0, points(two + "group 2 1\nignore 0 1\nignore 1 1\n")),
+        ("all that is near is ignored", 0, 0, points(two + "group 2 1\nignore 0 1\n")),
+        ("all that is near, with a proof", 1, 1, points(two + "group 2 1\nignore 0 1\n")),
+        ("a group of no vertex", 0, 2, points("ignore 0 1\n")),
+        ("the greatest number", 0, 1, points("group 0 1073741823\ngroup 1 1073741823\nignore 1073741823 1073741823\n")),
+        ("an edge of two, one of them ignored", 0, 1, wire(two + "group 3 2\nignore 0 1\n")),
+        ("an edge of two, one of them ignored, left out", 1, 0, wire(two + "group 3 2\nignore 0 1\n")),
+        ("an edge of two, both ignored", 2, 0, wire(two + "group 3 2\nignore 0 1\nignore 0 2\n")),
+        ("an edge with a vertex in none", 0, 1, wire(two + "ignore 0 1\n")),
+        ("a fold that is ignored", 2, 0, rod("-1 -1 0", "".join(f"group {v} 0\n" for v in range(3)) + "ignore 0 0\n")),
+        *[("the line " + line, 2, 2, points("group 1 1\nignore 0 1\n" + line + "\n")) for line in (
+            "group 0", "group 0 0 0", "group 4 0", "group 0 -1", "group 0 00", "group 0 x", "group 0 1073741824",
+            "group 1 1", "group x 0", "ignore 0", "ignore 0 1", "ignore 1 0", "ignore 0 0 0", "ignore 0 -1",
+            "ignore 0 01", "ignore 1073741824 0", "ignore", "group")],
+    ]]
+
+
 def motion_cases():
     def motion(name, text, proof=FALL_PROOF, status=2):
         return name, status, proof, [text]
@@ -785,7 +831,7 @@ def curved_cases():
 
 def all_cases():
     return (point_point_cases() + corner_cases() + line_cases() + row_cases() + curved_cases() + motion_cases() +
-            fold_cases() + radius_cases() + body_cases())
+            fold_cases() + radius_cases() + group_cases() + body_cases())
 
 
 def by_page(proof, files):

@@ -58,7 +58,11 @@ case $sort in
     prove_mesh cables meshes/cables/frame-000[0-4].obj
     prove_mesh sheets --separation 0.02 meshes/sheets/frame-000[0-2].obj
     prove_mesh max --separation 0.02 --metric max meshes/cables/frame-000[0-2].obj
-    both_check 700 cloth cables sheets max
+    prove_mesh between --separation 0.08 --between-parts meshes/sheets/frame-000[0-3].obj
+    prove_mesh only --separation 0.01 --only-between upper,upper meshes/sheets/frame-000[0-2].obj
+    grep -q '^ignore ' between/motion.txt
+    grep -q '^ignore ' only/motion.txt
+    both_check 700 cloth cables sheets max between only
 
     # The digests, of a motion and of queries; and several files.
     cloth=(cloth/proofs.txt cloth/motion.txt)
@@ -147,7 +151,8 @@ END
     rebuilt() { # SED: the checker with another boxes.ml
       sed "$1" "$theories/boxes.ml" >boxes.ml
       [[ -z $1 ]] || ! cmp -s "$theories/boxes.ml" boxes.ml || { echo "no effect: $1"; exit 1; }
-      "$ocamlfind" ocamlopt -package zarith -linkpkg {proved,sha256,text,hints,meshes,frames}.cmx boxes.ml reader.ml -o rebuilt
+      "$ocamlfind" ocamlopt -package zarith -linkpkg {proved,sha256,text,hints,meshes,frames}.cmx boxes.ml reader.ml \
+        -o rebuilt
     }
     rebuilt ''
     for name in sheets hoop; do ./rebuilt "$name/proofs.txt" "$name/motion.txt" >/dev/null; done
@@ -163,6 +168,7 @@ END
 s/and until k = Z.add margin (\(.*\)) in/and until k = \1 in/
 s/let from k = scaled (fst/let from k = scaled (snd/
 s/still = fixed (Z.of_int v)/still = true/
+s/if ignored g g then Some g else None/Some g/
 s/| On_curve _ -> None in/| On_curve _ -> Some Z.one in/
 s/box_unit = Z.shift_left Z.one (- low)/box_unit = Z.minus_one/
 s/box_unit = Z.shift_left Z.one (- low)/box_unit = Z.one/

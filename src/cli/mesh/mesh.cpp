@@ -115,7 +115,10 @@ void check_parts(const MeshRunOptions& options, const std::vector<FrameName>& na
 
 /// The elements of a motion. All of the mesh may move.
 proofs::MotionElements motion_elements(const Mesh& mesh) {
-  return {mesh.vertex_count(), proofs::colliding_vertices(mesh.edges(), mesh.points()), mesh.edges(), mesh.faces(), {}};
+  proofs::MotionElements elements{
+      mesh.vertex_count(), proofs::colliding_vertices(mesh.edges(), mesh.points()), mesh.edges(), mesh.faces(), {}};
+  elements.groups = proofs::motion_groups(mesh.elements().rules);
+  return elements;
 }
 
 /// The positions of a frame; one in the plane has z = 0.

@@ -156,9 +156,6 @@ void add_mesh(CLI::App& program, Command& command) {
                    "FOLDER/proofs.txt, for touchstone-check. The folder must be new or empty")
       ->type_name("FOLDER")
       ->excludes(check)
-      ->excludes("--only-between")
-      ->excludes("--ignore")
-      ->excludes(between)
       ->excludes("--self");
   subcommand
       ->add_option("--topology", options->topology,

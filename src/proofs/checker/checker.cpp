@@ -43,9 +43,10 @@ class FullChecker : public Checker {
     const unsigned long long count = queries_ - before;
     // Without a pair nothing is proved: the elements may be missing, or what the file says of them may leave none.
     if (count == 0 && !motion.has_pair()) {
-      throw BadInput(name + ": there is nothing to check: " + motion.contents() +
-                     ", but no two elements that share no vertex and are neither all fixed nor all on one body; a "
-                     "motion of at least two such elements was expected");
+      throw BadInput(
+          name + ": there is nothing to check: " + motion.contents() +
+          ", but no two elements that share no vertex, whose groups are not ignored, and that are neither all fixed "
+          "nor all on one body; a motion of at least two such elements was expected");
     }
     std::string text = counted(count, "mesh query", "mesh queries") + " in " + counted(steps, "step", "steps") +
                        separation_.text + ": " + motion.contents();

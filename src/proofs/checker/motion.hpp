@@ -11,14 +11,14 @@
 
 namespace checker {
 
-constexpr std::uint32_t kNoBody = kMostVertices;
+constexpr std::uint32_t kNoBody = kMostVertices, kNoGroup = kMostVertices + 1;
 
 /// A point, an edge or a face, and its box during a step. Along each axis, the ends of the boxes of all vertices are
 /// sorted. `low` is the rank of the box's least coordinate, and `reach` the number of the ends that are at most D
 /// above its greatest one. Boxes a and b are at most D apart if a.low < b.reach and b.low < a.reach. With radii D is the
 /// largest separation.
 struct Element {
-  std::array<std::uint32_t, 3> vertices{}, low{}, reach{};
+  std::array<std::uint32_t, 3> vertices{}, groups{}, low{}, reach{};
   std::size_t size = 0, number = 0;  ///< of vertices; among the elements of its sort
   bool is_fixed = false;             ///< all of its vertices are
   std::uint32_t body = kNoBody;      ///< that all of its vertices are on
@@ -141,6 +141,7 @@ class MotionFile {
       text +=
           ", " + counted(elements_[4].size(), "vertex", "vertices") + " on " + counted(body_count_, "body", "bodies");
     }
+    text += ignored();
     const auto [corners, sides] = undeclared();
     if (corners > 0) text += ", " + counted(corners, "corner is no point", "corners are no points");
     if (sides > 0) text += ", " + counted(sides, "side is no edge", "sides are no edges");
@@ -173,11 +174,15 @@ class MotionFile {
   BadInput expected(const std::string& what) const { return lines_.bad("here must be " + what); }
 
   void read_element() {
-    if (words_[0] == "radius" || words_[0] == "near") return words_[0] == "near" ? read_near() : read_radius();
+    if (words_[0] == "radius") return read_radius();
+    if (words_[0] == "near") return read_near();
+    if (words_[0] == "group") return read_group();
+    if (words_[0] == "ignore") return read_ignored();
     const auto sort = static_cast<std::size_t>(std::find(kSorts.begin(), kSorts.end(), words_[0]) - kSorts.begin());
     if (sort == kSorts.size() || words_.size() != kWords[sort]) {
       throw expected(
-          R"("point V", "edge V0 V1", "face V0 V1 V2", "fixed V", "body V B X Y Z", "radius R", "near V W" or "frame")");
+          R"("point V", "edge V0 V1", "face V0 V1 V2", "fixed V", "body V B X Y Z", "radius R", "near V W", "group V G", )"
+          R"("ignore G H" or "frame")");
     }
     Element element;
     element.number = elements_[sort].size();
@@ -221,6 +226,22 @@ class MotionFile {
     lines_.require(v != w && near_.insert(side(v, w)).second,
                    "two different vertices that are not near yet were expected");
   }
+  std::uint32_t read_group_number(std::string_view word) const {
+    std::uint32_t group = 0;
+    if (!read_count(word, kMostVertices, group)) throw lines_.bad(quoted(word) + " is no group, such as 0, below 2^30");
+    return group;
+  }
+  void read_group() {
+    if (words_.size() != 3) throw expected("\"group V G\"");
+    const std::uint32_t v = read_vertex(words_[1]), group = read_group_number(words_[2]);
+    lines_.require(groups_.emplace(v, group).second, "the vertex has such a line already: one was expected");
+  }
+  void read_ignored() {
+    if (words_.size() != 3) throw expected("\"ignore G H\"");
+    lines_.require(ignored_.insert(side(read_group_number(words_[1]), read_group_number(words_[2]))).second,
+                   "two groups that are not ignored yet were expected");
+  }
+
   /// Reads the numbers of a body or of a vertex in the frame, and the line after them.
   void read_row(std::size_t size, const char* of, std::uint32_t number, bool is_fixed) {
     const auto name = [&] { return of + std::to_string(number) + " in frame " + std::to_string(frame_); };
@@ -234,7 +255,7 @@ class MotionFile {
     lines_.next(words_);
   }
 
-  /// Sets whether the elements are fixed, and the bodies that they are on.
+  /// Sets whether the elements are fixed, the bodies that they are on, and the groups of their vertices.
   void set_attachments() {
     for (std::vector<Element>& elements : elements_) {
       for (Element& e : elements) {
@@ -243,8 +264,27 @@ class MotionFile {
         e.body = body_of(e.vertices[0]);
         if (std::any_of(e.vertices.begin(), end, [&](std::uint32_t v) { return body_of(v) != e.body; }))
           e.body = kNoBody;
+        std::transform(e.vertices.begin(), end, e.groups.begin(), [&](std::uint32_t v) {
+          const auto found = groups_.find(v);
+          return found == groups_.end() ? kNoGroup : found->second;
+        });
       }
     }
+  }
+
+  /// ", 2 groups of vertices, 1 pair of groups not asked about: 0-1", if there are some.
+  std::string ignored() const {
+    if (ignored_.empty()) return "";
+    std::set<std::uint32_t> groups;
+    for (const auto& [vertex, group] : groups_) groups.insert(group);
+    std::string text = ", " + counted(groups.size(), "group", "groups") + " of vertices, " +
+                       counted(ignored_.size(), "pair", "pairs") + " of groups not asked about:";
+    constexpr std::size_t kShown = 10;
+    std::size_t count = 0;
+    for (const auto& [g, h] : ignored_) {
+      if (++count <= kShown) text += " " + std::to_string(g) + "-" + std::to_string(h);
+    }
+    return count > kShown ? text + " and " + std::to_string(count - kShown) + " more" : text;
   }
 
   /// Sets the edges that are no sides of faces, and the pairs of vertices that they join.
@@ -290,6 +330,8 @@ class MotionFile {
   std::array<std::set<std::uint32_t>, 5> single_;     ///< the vertices that have a line of each sort
   std::vector<Radius> radii_ = {Radius()};            ///< 0, and those of the lines `radius`
   std::set<std::array<std::uint32_t, 2>> near_;
+  std::map<std::uint32_t, std::uint32_t> groups_;   ///< by vertex
+  std::set<std::array<std::uint32_t, 2>> ignored_;  ///< pairs of groups
 };
 
 }  // namespace checker

@@ -49,7 +49,17 @@ class MotionPairs : public MotionFile {
       const std::uint32_t body = first[0].body;
       if (body != kNoBody && all([&](const Element& e) { return e.body == body; })) return;
       const std::vector<Element> moving = moving_of(second);
+      std::set<std::uint32_t> groups;
+      for (const Element& b : second) groups.insert(b.groups.begin(), b.groups.begin() + static_cast<long>(b.size));
+      std::map<std::uint32_t, bool> known;  // whether a group is asked about with one of these
+      const auto has_partner = [&](std::uint32_t group) {
+        const auto [place, is_new] = known.emplace(group, false);
+        const auto is_asked = [&](std::uint32_t h) { return ignored_.count(side(group, h)) == 0; };
+        if (is_new) place->second = std::any_of(groups.begin(), groups.end(), is_asked);
+        return place->second;
+      };
       found = std::any_of(first.begin(), first.end(), [&](const Element& a) {
+        if (std::none_of(a.groups.begin(), a.groups.begin() + static_cast<long>(a.size), has_partner)) return false;
         const std::vector<Element>& partners = a.is_fixed ? moving : second;
         return std::any_of(partners.begin(), partners.end(), [&](const Element& b) { return may_meet(kind, a, b); });
       });
@@ -219,7 +229,17 @@ class MotionPairs : public MotionFile {
     if (kind.is_fold && !are_joined(a.vertices[0], b.vertices[0]) && !are_joined(a.vertices[0], b.vertices[1])) {
       return false;
     }
-    return !(a.is_fixed && b.is_fixed) && (a.body == kNoBody || a.body != b.body);
+    return !(a.is_fixed && b.is_fixed) && (a.body == kNoBody || a.body != b.body) && is_asked(a, b);
+  }
+  /// Whether some group of one element is not ignored with some group of the other one.
+  bool is_asked(const Element& a, const Element& b) const {
+    if (ignored_.empty()) return true;
+    for (std::size_t i = 0; i < a.size; ++i) {
+      for (std::size_t j = 0; j < b.size; ++j) {
+        if (ignored_.count(side(a.groups[i], b.groups[j])) == 0) return true;
+      }
+    }
+    return false;
   }
 
   Query query_;

@@ -22,7 +22,8 @@ Definition is_true (m : mesh) (c : corner) (U g v u h : Z) (s : summary) : bool 
      | None, _ => true
      | Some n, On_body k _ _ => Z.eqb n k
      | _, _ => false
-     end.
+     end
+  && match kin s with None => true | Some n => Z.eqb n (group m v) && ignored m n n end.
 Fixpoint are_true (m : mesh) (corner_of : Z -> corner) (U g : Z) (p : lookup) : bool :=
   match p with
   | Nothing => true
@@ -34,11 +35,12 @@ Lemma find_is_of m corner_of U g v s p : are_true m corner_of U g p = true -> fi
 Proof.
   induction p as [|w u h s' l IHl r IHr]; simpl; [discriminate|]. rewrite !andb_true_iff. intros [[T L] R].
   destruct (Z.compare_spec v w) as [->|_|_]; auto. intros [= ->]. unfold is_true in T. rewrite !andb_true_iff in T.
-  destruct T as [[B S] C]. split; [|split].
+  destruct T as [[[B S] C] K]. split; [|split; [|split]].
   - intros t I. now apply box_holds_sound with u h.
   - intros E. rewrite E in S. exact S.
   - intros n E. rewrite E in C. destruct (corner_of w) as [|k x y]; [discriminate|].
     apply Z.eqb_eq in C. subst k. eauto.
+  - intros n E. rewrite E in K. apply andb_true_iff in K as [G K]. apply Z.eqb_eq in G. now split.
 Qed.
 
 (* The summaries of elements, and a tree of those in a list: none, or one. *)
@@ -90,11 +92,15 @@ Proof.
 Qed.
 End A_step.
 
-(* The pairs that are not skipped and have no common vertex, in the order of their indices if they are of one sort. *)
+(* The pairs that are not skipped, have no common vertex and are asked, in the order of their indices if they are of one
+   sort. *)
 Definition from_two (a b : list tree) : pairs := match a, b with [x], [y] => across x y [] | _, _ => [] end.
 Definition from_one (a : list tree) : pairs := match a with [x] => among x [] | _ => [] end.
 Definition separate (p : simplex * simplex) : bool :=
   forallb (fun v => negb (mem v (vertices (snd p)))) (vertices (fst p)).
+Definition is_asked (m : mesh) (p : simplex * simplex) : bool :=
+  let may v w := negb (ignored m (group m v) (group m w) && ignored m (group m w) (group m v)) in
+  existsb (fun v => existsb (may v) (vertices (snd p))) (vertices (fst p)).
 Definition in_order (p : simplex * simplex) : simplex * simplex :=
   if Z.ltb (index (fst p)) (index (snd p)) then p else (snd p, fst p).
 Definition pair := (sort * simplex * simplex)%type.
@@ -113,12 +119,12 @@ Definition pairs_in_reach (m : mesh) : (Z -> corner) -> hints -> option (list pa
       match tree_of p (points m), tree_of p (edges m), tree_of p (faces m), tree_of p (alone w), tree_of p (ends w),
             tree_of p (wires w) with
       | Some points, Some edges, Some faces, Some alone, Some ends, Some wires =>
-          let all _ := true in
-          Some (of_sort Two_edges all (from_one edges)
-               (of_sort Point_face all (from_two points faces)
-               (of_sort Point_edge all (from_two alone edges)
-               (of_sort Two_points all (from_one alone)
-               (of_sort Fold (fun p => are_joined w (fst p) (snd p)) (from_two ends wires) [])))))
+          let asked := is_asked m in
+          Some (of_sort Two_edges asked (from_one edges)
+               (of_sort Point_face asked (from_two points faces)
+               (of_sort Point_edge asked (from_two alone edges)
+               (of_sort Two_points asked (from_one alone)
+               (of_sort Fold (fun p => are_joined w (fst p) (snd p) && asked p) (from_two ends wires) [])))))
       | _, _, _, _, _, _ => None
       end
     else None.
@@ -197,6 +203,11 @@ Proof.
     apply Rmult_le_compat_l; lra. }
   assert (S : separate (a, b) = true) by (apply separate_sym, C).
   assert (S' : separate (b, a) = true) by (apply separate_sym; intros v V W; now apply (proj1 C v W)).
+  assert (Q : is_asked m (a, b) = true /\ is_asked m (b, a) = true).
+  { destruct C as (_ & _ & _ & x & y & X & Y & E).
+    split; apply existsb_exists; cbn [fst snd]; [exists x | exists y]; (split; [auto|]);
+      apply existsb_exists; [exists y | exists x]; (split; [auto|]); rewrite E, ?andb_false_r; auto. }
+  destruct Q as [Q Q'].
   assert (two : forall A B x y test, tree_of p A = Some x -> tree_of p B = Some y -> In a A -> In b B ->
     s <> Two_edges -> s <> Two_points -> test (a, b) = true ->
     (forall f, In (s, a, b) (of_sort s test (from_two x y) f)) \/ skipped m corner_of U g a b).
@@ -208,7 +219,7 @@ Proof.
     left. intros f. pose proof (of_sort_in s test _ a b f I ltac:(now rewrite S, E)) as K'. now destruct s. }
   assert (one : forall A x, tree_of p A = Some x -> In a A -> In b A -> (index a < index b)%Z ->
     s = Two_edges \/ s = Two_points ->
-    (forall f, In (s, a, b) (of_sort s (fun _ => true) (from_one x) f)) \/ skipped m corner_of U g a b).
+    (forall f, In (s, a, b) (of_sort s (is_asked m) (from_one x) f)) \/ skipped m corner_of U g a b).
   { intros A x EA IA IB I E. destruct (tree_of_fits m corner_of U g p T A x EA) as [FA HA].
     destruct (HA a IA) as (r & -> & JA), (HA b IB) as (r' & [= <-] & JB). inversion FA; subst.
     assert (O : in_order (a, b) = (a, b) /\ in_order (b, a) = (a, b)).
@@ -217,21 +228,22 @@ Proof.
     destruct O as [O O']. destruct (among_all m corner_of U g r [] ltac:(auto)) as [_ H].
     destruct (H a b JA JB) as [J|[J|[J|J]]]; auto.
     - subst b. lia.
-    - left. intros f. pose proof (of_sort_in s (fun _ => true) _ a b f J ltac:(now rewrite S)) as K'.
+    - left. intros f. pose proof (of_sort_in s (is_asked m) _ a b f J ltac:(now rewrite S, Q)) as K'.
       destruct E as [-> | ->]; rewrite O in K'; auto.
-    - left. intros f. pose proof (of_sort_in s (fun _ => true) _ b a f J ltac:(now rewrite S')) as K'.
+    - left. intros f. pose proof (of_sort_in s (is_asked m) _ b a f J ltac:(now rewrite S', Q')) as K'.
       destruct E as [-> | ->]; rewrite O' in K'; auto. }
   destruct s; simpl in P.
   - destruct P as (A & B & I). destruct (one _ _ Te A B I); auto.
-  - destruct P as (A & B). destruct (two _ _ _ _ (fun _ => true) Tp Tf A B); auto; try discriminate.
+  - destruct P as (A & B). destruct (two _ _ _ _ (is_asked m) Tp Tf A B); auto; try discriminate.
     left. apply of_sort_keeps. auto.
   - destruct P as (A & B). apply alone_complete in A.
-    destruct (two _ _ _ _ (fun _ => true) Ta Te A B); auto; try discriminate.
+    destruct (two _ _ _ _ (is_asked m) Ta Te A B); auto; try discriminate.
     left. do 2 apply of_sort_keeps. auto.
   - destruct P as (A & B & I). apply alone_complete in A, B. destruct (one _ _ Ta A B I); auto.
     left. do 3 apply of_sort_keeps. auto.
   - destruct (fold_complete m a b P) as (A & B & J).
-    destruct (two _ _ _ _ (fun p => are_joined w (fst p) (snd p)) Tn Tw A B); auto; try discriminate.
+    destruct (two _ _ _ _ (fun p => are_joined w (fst p) (snd p) && is_asked m p) Tn Tw A B); auto; try discriminate.
+    { cbn [fst snd]. apply andb_true_iff. now split. }
     left. do 4 apply of_sort_keeps. auto.
 Qed.
 Theorem near_pairs_complete m corner_of h found : near_pairs m corner_of h = Some found ->

@@ -49,10 +49,8 @@ Definition in_hull (points : list point) (x : point) : Prop :=
 (* Two elements are in contact if a point of one and a point of the other are equal, or at most D apart. *)
 Inductive separation := Zero | Euclidean (D : Q) | Max (D : Q).
 Definition near (s : separation) (v : point) : Prop :=
-  match s with
-  | Zero => v = Point 0 0 0 | Euclidean D => sqrt (dot v v) <= Q2R D
-  | Max D => Rabs (px v) <= Q2R D /\ Rabs (py v) <= Q2R D /\ Rabs (pz v) <= Q2R D
-  end.
+  match s with Zero => v = Point 0 0 0 | Euclidean D => sqrt (dot v v) <= Q2R D
+  | Max D => Rabs (px v) <= Q2R D /\ Rabs (py v) <= Q2R D /\ Rabs (pz v) <= Q2R D end.
 Record query := Query { first : list corner; second : list corner; apart : separation }.
 Definition element (corners : list corner) (t : R) : list point := map (fun c => position c t) corners.
 Definition in_contact (q : query) (t : R) : Prop :=
@@ -75,10 +73,11 @@ Definition holds (q : query) (a : answer) : Prop :=  (* what the answers mean *)
 
 (* One step of a motion of a mesh. `corner_of` gives the corner of each vertex, a number. Elements have an index among
    those of their sort. A wire is an edge of no face. In a fold another wire joins a point to a wire. A fold has the
-   separation zero, other pairs have the one that is asked, or `most` if that is less. *)
+   separation zero, other pairs have the one that is asked, or `most` if that is less. Vertices have groups. Nothing is
+   asked of two elements if all groups of one are `ignored` with all groups of the other. *)
 Record simplex := Simplex { index : Z; vertices : list Z }.
 Record mesh := Mesh { points : list simplex; edges : list simplex; faces : list simplex; fixed : Z -> bool;
-                      asked : simplex -> simplex -> separation; most : Q }.
+                      group : Z -> Z; ignored : Z -> Z -> bool; asked : simplex -> simplex -> separation; most : Q }.
 Definition disjoint (a b : simplex) : Prop := forall v, In v (vertices a) -> ~ In v (vertices b).
 Definition lone m p : Prop := In p (points m) /\ forall e, In e (edges m) -> disjoint p e.
 Definition wire m e : Prop := In e (edges m) /\ forall f, In f (faces m) -> ~ incl (vertices e) (vertices f).
@@ -94,7 +93,8 @@ Definition are_pair (m : mesh) (s : sort) (a b : simplex) : Prop :=
   end.
 Definition can_meet m (corner_of : Z -> corner) a b : Prop :=
   disjoint a b /\ ~ (forall v, In v (vertices a ++ vertices b) -> fixed m v = true)
-  /\ ~ exists n, forall v, In v (vertices a ++ vertices b) -> exists x y, corner_of v = On_body n x y.
+  /\ (~ exists n, forall v, In v (vertices a ++ vertices b) -> exists x y, corner_of v = On_body n x y)
+  /\ exists v w, In v (vertices a) /\ In w (vertices b) /\ ignored m (group m v) (group m w) = false.
 Definition separation_of (m : mesh) (s : sort) (a b : simplex) : separation :=
   match s, asked m a b with
   | Fold, _ | _, Zero => Zero | _, Euclidean D => Euclidean (Qmin D (most m)) | _, Max D => Max (Qmin D (most m))

@@ -5,15 +5,18 @@ From Touchstone Require Import Statement Geometry Checker Boxes.
 Import ListNotations.
 Open Scope R_scope.
 
-(* What is known of some vertices: a box, whether all are fixed, and the body that all are on. *)
-Record summary := Summary { extent : box; still : bool; carrier : option Z }.
-Definition same_carrier (a b : summary) : bool :=
-  match carrier a, carrier b with Some m, Some n => Z.eqb m n | _, _ => false end.
+(* What is known of some vertices: a box, whether all are fixed, the body that all are on, and the group that all are
+   in, if that is ignored with itself. *)
+Record summary := Summary { extent : box; still : bool; carrier : option Z; kin : option Z }.
+Definition same (a b : option Z) : bool := match a, b with Some m, Some n => Z.eqb m n | _, _ => false end.
+Definition common (a b : option Z) : option Z := if same a b then a else None.
 Definition join (a b : summary) : summary :=
-  Summary (join_boxes (extent a) (extent b)) (still a && still b) (if same_carrier a b then carrier a else None).
-(* Nothing in them moves against the other, or their boxes are far from each other. *)
-Definition rigid (a b : summary) : bool := still a && still b || same_carrier a b.
-Definition skip (a b : summary) : bool := far (extent a) (extent b) || rigid a b.
+  Summary (join_boxes (extent a) (extent b)) (still a && still b) (common (carrier a) (carrier b))
+    (common (kin a) (kin b)).
+(* Nothing in them moves against the other or is asked, or their boxes are far from each other. *)
+Definition idle (a b : summary) : bool :=
+  still a && still b || same (carrier a) (carrier b) || same (kin a) (kin b).
+Definition skip (a b : summary) : bool := far (extent a) (extent b) || idle a b.
 
 (* The elements in the order of a list, two by two. *)
 Inductive tree := Leaf (s : summary) (e : simplex) | Node (s : summary) (l r : tree).
@@ -43,7 +46,7 @@ Fixpoint across (a b : tree) (found : pairs) : pairs :=
 Fixpoint among (t : tree) (found : pairs) : pairs :=
   match t with
   | Leaf _ _ => found
-  | Node s l r => if rigid s s then found else among l (among r (across l r found))
+  | Node s l r => if idle s s then found else among l (among r (across l r found))
   end.
 
 Section A_step.
@@ -52,19 +55,24 @@ Variables (m : mesh) (corner_of : Z -> corner) (U g : Z).
 (* A summary is true of a vertex, and a tree of the vertices of its elements. *)
 Definition is_of (s : summary) (v : Z) : Prop :=
   (forall t, 0 <= t <= 1 -> inside_box U g (extent s) (position (corner_of v) t))
-  /\ (still s = true -> fixed m v = true) /\ (forall n, carrier s = Some n -> exists x y, corner_of v = On_body n x y).
-Lemma same_carrier_sound a b : same_carrier a b = true -> exists n, carrier a = Some n /\ carrier b = Some n.
+  /\ (still s = true -> fixed m v = true) /\ (forall n, carrier s = Some n -> exists x y, corner_of v = On_body n x y)
+  /\ (forall n, kin s = Some n -> group m v = n /\ ignored m n n = true).
+Lemma same_sound a b : same a b = true -> exists n, a = Some n /\ b = Some n.
+Proof. destruct a as [k|], b as [n|]; try discriminate. intros E. apply Z.eqb_eq in E. subst k. eauto. Qed.
+Lemma same_sym a b : same a b = same b a.
+Proof. destruct a, b; auto. apply Z.eqb_sym. Qed.
+Lemma common_both a b n : common a b = Some n -> a = Some n /\ b = Some n.
 Proof.
-  unfold same_carrier. destruct (carrier a) as [k|], (carrier b) as [n|]; try discriminate.
-  intros E. apply Z.eqb_eq in E. subst k. eauto.
+  unfold common. destruct (same a b) eqn:E; [|discriminate]. intros ->.
+  destruct (same_sound _ _ E) as (k & [= ->] & K). now split.
 Qed.
 Lemma is_of_join a b v : is_of a v \/ is_of b v -> is_of (join a b) v.
 Proof.
-  intros H. unfold is_of, join; cbn [extent still carrier]. split; [|split].
+  intros H. unfold is_of, join; cbn [extent still carrier kin]. split; [|split; [|split]].
   - intros t T. apply inside_join. destruct H as [(H & _)|(H & _)]; auto.
   - rewrite andb_true_iff. intros [A B]. destruct H as [(_ & H & _)|(_ & H & _)]; auto.
-  - intros n. destruct (same_carrier a b) eqn:E; [|discriminate]. intros C.
-    destruct (same_carrier_sound _ _ E) as (k & K & L). destruct H as [(_ & _ & H)|(_ & _ & H)]; apply H; congruence.
+  - intros n C. apply common_both in C as [A B]. destruct H as [(_ & _ & H & _)|(_ & _ & H & _)]; now apply H.
+  - intros n C. apply common_both in C as [A B]. destruct H as [(_ & _ & _ & H)|(_ & _ & _ & H)]; now apply H.
 Qed.
 Inductive is_in (e : simplex) : tree -> Prop :=
   | at_leaf s : is_in e (Leaf s e)
@@ -132,20 +140,23 @@ Definition skipped (a b : simplex) : Prop := exists s s',
 Lemma skipped_sym a b : skipped a b -> skipped b a.
 Proof.
   intros (s & s' & A & B & S). exists s', s. split; [auto|]. split; [auto|].
-  unfold skip, rigid, far, same_carrier in *. rewrite !orb_true_iff, !andb_true_iff in *.
-  destruct (carrier s) as [n|], (carrier s') as [k|]; try rewrite Z.eqb_sym; tauto.
+  unfold skip, idle, far in *. rewrite (same_sym (carrier s')), (same_sym (kin s')).
+  rewrite !orb_true_iff, !andb_true_iff in *. tauto.
 Qed.
 Lemma skipped_no_contact a b s : 0 < IZR U -> IZR U * size s <= IZR g ->
   skipped a b -> can_meet m corner_of a b ->
   holds (Query (map corner_of (vertices a)) (map corner_of (vertices b)) s) No_contact.
 Proof.
-  intros P G (x & y & A & B & S) (_ & moves & turns). unfold skip, rigid in S.
-  rewrite !orb_true_iff, andb_true_iff in S. destruct S as [F|[[S S']|C]].
+  intros P G (x & y & A & B & S) (_ & moves & turns & asked). unfold skip, idle in S.
+  rewrite !orb_true_iff, andb_true_iff in S. destruct S as [F|[[[S S']|C]|K]].
   - intros t T. apply far_no_contact with (extent x) (extent y) U g; auto; simpl; intros c I;
       apply in_map_iff in I as (v & <- & I); [apply (A v I) | apply (B v I)]; auto.
   - exfalso. apply moves. intros v I. apply in_app_or in I as [I|I]; [apply (A v I) | apply (B v I)]; auto.
-  - exfalso. destruct (same_carrier_sound _ _ C) as (n & E & E'). apply turns. exists n.
+  - exfalso. destruct (same_sound _ _ C) as (n & E & E'). apply turns. exists n.
     intros v I. apply in_app_or in I as [I|I]; [apply (A v I) | apply (B v I)]; auto.
+  - exfalso. destruct (same_sound _ _ K) as (n & E & E'), asked as (v & w & I & J & N).
+    destruct (A v I) as (_ & _ & _ & V), (B w J) as (_ & _ & _ & W).
+    destruct (V n E) as [X Y], (W n E') as [X' _]. congruence.
 Qed.
 
 Lemma root_skipped a b : fits a -> fits b -> skip (root_of a) (root_of b) = true ->
@@ -206,7 +217,7 @@ Lemma among_all t : forall found, fits t -> incl found (among t found)
 Proof.
   induction t as [s e'|s l IHl r IHr]; intros found F; simpl.
   - split; [apply incl_refl|]. intros e f I J. inversion I; inversion J; subst. now left.
-  - destruct (rigid s s) eqn:S.
+  - destruct (idle s s) eqn:S.
     + split; [apply incl_refl|]. intros e f I J. do 3 right. apply (root_skipped _ _ F F); auto.
       unfold skip; cbn [root_of]. rewrite S. apply orb_true_r.
     + destruct F as (_ & L & R). destruct (across_all l r found L R) as [K1 H1].

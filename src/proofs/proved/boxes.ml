@@ -38,7 +38,7 @@ let reaches m corners =
 
 (* The boxes of all vertices, and what else is known of them. *)
 let hints m corners =
-  let { most; fixed; _ } = m.mesh and reach = reaches m corners in
+  let { most; fixed; group; ignored; _ } = m.mesh and reach = reaches m corners in
   let lower low (_, e) = min low e in
   let lowest low r = Array.fold_left (fun low (a, b) -> lower (lower low a) b) low r in
   let low = Array.fold_left lowest (min 0 m.finest) reach in
@@ -52,11 +52,13 @@ let hints m corners =
       let from k = scaled (fst reach.(v).(k)) and until k = Z.add margin (scaled (snd reach.(v).(k))) in
       let extent = { lx = from 0; ly = from 1; lz = from 2; rx = until 0; ry = until 1; rz = until 2 } in
       let carrier = match corners.(v) with On_body (n, _, _) -> Some n | On_curve _ -> None in
-      let known = { extent; still = fixed (Z.of_int v); carrier } in
+      let kin = let g = group (Z.of_int v) in if ignored g g then Some g else None in
+      let known = { extent; still = fixed (Z.of_int v); carrier; kin } in
       Entry (Z.of_int v, u, h, known, balanced first v, balanced (v + 1) last) in
   { box_unit = Z.shift_left Z.one (- low); summaries = balanced 0 (Array.length corners); all_near = m.radii = None }
 
-(* A key for each element: in the order of their keys neighbours are near each other. Those of a body come together. *)
+(* A key for each element: in the order of their keys neighbours are near each other. Those of a body
+   come together, and so do those of a group. *)
 let keys m elements =
   let reach = reaches m (corners m) in
   let about (m, e) = Float.ldexp (Z.to_float m) e in
@@ -64,9 +66,10 @@ let keys m elements =
   let n = Array.length elements in
   let start = Array.init 3 (fun k -> Array.init n (fun i -> about (fst reach.(vertex i).(k)))) in
   let body_of v = match Hashtbl.find_opt m.on_bodies v with Some (b, _) -> b | None -> -1 in
-  let body = Array.init n (fun i -> body_of (vertex i)) in
+  let group_of v = Option.value (Hashtbl.find_opt m.groups.of_vertices v) ~default:(-1) in
+  let body = Array.init n (fun i -> (body_of (vertex i), group_of (vertex i))) in
   let all = Array.init n Fun.id in
-  Array.stable_sort (fun i j -> compare (body.(i) : int) body.(j)) all;
+  Array.stable_sort (fun i j -> compare (body.(i) : int * int) body.(j)) all;
   (* Sorts the elements from `first` to `last - 1`: each half is on its side of the longest axis. *)
   let rec halve first last =
     if last - first > 2 then begin

@@ -7,17 +7,20 @@ open Text
 type frame = { poses : (Z.t * int) array array; rows : (Z.t * int) array array }
 (* The radii of elements by their number of vertices and their index, each with its word; and pairs of vertices. *)
 type radii = { lengths : (int * Z.t, (Z.t * int) * string) Hashtbl.t; near : (int * int, unit) Hashtbl.t }
+(* The groups of vertices, and the pairs of groups that are ignored. *)
+type groups = { of_vertices : (int, int) Hashtbl.t; ignored_pairs : (int * int, unit) Hashtbl.t }
 (* A motion in the step from one frame to the next one; `line` is the one after them.
    All separations are multiples of 2^finest. *)
 type motion = { f : lines; size : int; mesh : mesh; on_bodies : (int, int * rational_point) Hashtbl.t; bodies : int;
-                radii : radii option; finest : int; fixed_vertices : int; frames : int; before : frame; after : frame;
-                line : string list }
+                radii : radii option; groups : groups; finest : int; fixed_vertices : int; frames : int;
+                before : frame; after : frame; line : string list }
 
 let most = 1 lsl 30 - 1
-(* The elements of each sort, the lines of single vertices, the points of bodies, the radii, and the line after them. *)
+(* The elements of each sort, the fixed vertices, the points of bodies, the radii, the groups, and the line after. *)
 let read_elements f size =
   let lines = Hashtbl.create 64 and on_bodies = Hashtbl.create 64 in
   let lengths = Hashtbl.create 64 and near = Hashtbl.create 64 and radius = ref None in
+  let of_vertices = Hashtbl.create 64 and ignored_pairs = Hashtbl.create 64 in
   let vertex word =
     let v = count f most word in
     if v < size then v else bad f (Printf.sprintf "here must be a vertex below %d" size) in
@@ -51,11 +54,17 @@ let read_elements f size =
       if v = w || Hashtbl.mem near (min v w, max v w) then bad f "here must be two vertices that are not near yet";
       Hashtbl.add near (min v w, max v w) ();
       read points edges faces fixed
+    | ["group"; v; g] -> Hashtbl.add of_vertices (once "group" v) (count f most g); read points edges faces fixed
+    | ["ignore"; g; h] ->
+      let g = count f most g and h = count f most h in
+      if Hashtbl.mem ignored_pairs (min g h, max g h) then bad f "here must be two groups that are not ignored yet";
+      Hashtbl.add ignored_pairs (min g h, max g h) ();
+      read points edges faces fixed
     | ["frame"] | [] as line ->
       let radii = if !radius = None then None else Some { lengths; near } in
-      (List.rev points, List.rev edges, List.rev faces, fixed, on_bodies, radii, line)
-    | _ -> bad f "here must be a line of a point, an edge, a face, a fixed vertex, one on a body, a radius or two \
-                  vertices that are near, or \"frame\"" in
+      (List.rev points, List.rev edges, List.rev faces, fixed, on_bodies, radii, { of_vertices; ignored_pairs }, line)
+    | _ -> bad f "here must be a line of a point, an edge, a face, a fixed vertex, one on a body, a radius, two \
+                  vertices that are near, a group or two that are ignored, or \"frame\"" in
   read [] [] [] []
 
 (* The frame whose first line is `m.line` becomes the one after the step. What is fixed has the same numbers in it. *)
@@ -93,7 +102,7 @@ let opened_motion name apart =
   let f = opened name in
   if words f <> ["touchstone-motion"; "1"] then bad f "the first line must be \"touchstone-motion 1\"";
   let size = match words f with ["vertices"; n] -> count f most n | _ -> bad f "here must be \"vertices N\"" in
-  let (points, edges, faces, all_fixed, on_bodies, radii, line) = read_elements f size in
+  let (points, edges, faces, all_fixed, on_bodies, radii, groups, line) = read_elements f size in
   let fixed = Hashtbl.create 64 and still = Hashtbl.create 64 in
   let rest v =
     Hashtbl.replace fixed v ();
@@ -108,9 +117,11 @@ let opened_motion name apart =
     | None, Zero -> ((fun _ _ -> apart), (Z.zero, 0), 0)
     | None, (Euclidean d | Max d) -> let e = 1 - Z.numbits d.qden in ((fun _ _ -> apart), (d.qnum, e), e) in
   let fixed v = Hashtbl.mem fixed (Z.to_int v) in
-  let mesh = { points; edges; faces; fixed; asked; most = rational (m, e) } in
+  let group v = Z.of_int (Option.value (Hashtbl.find_opt groups.of_vertices (Z.to_int v)) ~default:(-1)) in
+  let ignored g h = Hashtbl.mem groups.ignored_pairs (Z.to_int (Z.min g h), Z.to_int (Z.max g h)) in
+  let mesh = { points; edges; faces; fixed; group; ignored; asked; most = rational (m, e) } in
   let none = { poses = [||]; rows = [||] } in
-  let m = { f; size; mesh; on_bodies; bodies; radii; finest; fixed_vertices = List.length all_fixed; frames = 0;
+  let m = { f; size; mesh; on_bodies; bodies; radii; groups; finest; fixed_vertices = List.length all_fixed; frames = 0;
             before = none; after = none; line } in
   let read = read_frame (Hashtbl.mem still) in
   (read (read m), fun m -> if m.line = [] then None else Some (read m))
@@ -127,6 +138,18 @@ let corners m =
     | Some (b, y) -> On_body (Z.of_int (b + 1), motions.(b), y)
     | None -> On_curve [point m.before.rows.(v) 0; point m.after.rows.(v) 0])
 
+(* Whether an element has a group that is asked about with one of the list. *)
+let asked_with { group; ignored; _ } elements =
+  let groups_of l = List.sort_uniq compare (List.concat_map (fun e -> List.map group e.vertices) l) in
+  let groups = groups_of elements and known = Hashtbl.create 64 in
+  let has_partner g = match Hashtbl.find_opt known g with
+    | Some known -> known
+    | None ->
+      let is_asked = List.exists (fun h -> not (ignored g h)) groups in
+      Hashtbl.add known g is_asked;
+      is_asked in
+  fun e -> List.exists has_partner (groups_of [e])
+
 (* Whether two elements could meet at all, however far apart they are. *)
 let has_pair m =
   let { points; edges; faces; fixed; _ } = m.mesh and w = wiring_of m.mesh in
@@ -137,9 +160,10 @@ let has_pair m =
     List.for_all is_still l || (List.length bodies = 1 && bodies <> [-1]) in
   let meet may_meet (one, other) =
     let moving = List.filter (fun b -> not (is_still b)) other in
-    let meets a b = separate (a, b) && not (is_rigid [a; b]) && may_meet a b in
-    not (is_rigid (List.rev_append one other))
-    && List.exists (fun a -> List.exists (meets a) (if is_still a then moving else other)) one in
+    let meets a b = separate (a, b) && is_asked m.mesh (a, b) && not (is_rigid [a; b]) && may_meet a b in
+    let has_partner = asked_with m.mesh other in
+    let has_other a = has_partner a && List.exists (meets a) (if is_still a then moving else other) in
+    not (is_rigid (List.rev_append one other)) && List.exists has_other one in
   List.exists (meet (fun _ _ -> true)) [(edges, edges); (points, faces); (w.alone, edges); (w.alone, w.alone)]
   || meet (are_joined w) (w.ends, w.wires)
 
@@ -171,11 +195,19 @@ let contents m =
       | one :: rest -> Printf.sprintf " from %s to %s" (snd (first (-1) one rest)) (snd (first 1 one rest)) in
     (counted (List.length above) "element" "elements" ^ " with radii" ^ from)
     :: some (Hashtbl.length near) (counted (Hashtbl.length near) "pair of neighbours" "pairs of neighbours") in
+  let ignored =
+    let pairs = List.sort compare (List.of_seq (Hashtbl.to_seq_keys m.groups.ignored_pairs)) in
+    let (first, rest) = split 10 (List.map (fun (g, h) -> Printf.sprintf "%d-%d" g h) pairs) in
+    let more = if rest = [] then "" else Printf.sprintf " and %d more" (List.length rest) in
+    let groups = List.length (List.sort_uniq compare (List.of_seq (Hashtbl.to_seq_values m.groups.of_vertices))) in
+    let what = counted groups "group" "groups" ^ " of vertices, " ^ counted (List.length pairs) "pair" "pairs" in
+    some (List.length pairs) (what ^ " of groups not asked about: " ^ String.concat " " first ^ more) in
   String.concat ", "
     ([counted m.frames "frame" "frames"; counted m.size "vertex" "vertices"; elements points "point";
       elements edges "edge"; elements faces "face"]
      @ Option.fold ~none:[] ~some:with_radii m.radii
      @ some m.fixed_vertices (counted m.fixed_vertices "fixed vertex" "fixed vertices")
      @ some m.bodies (counted on_bodies "vertex" "vertices" ^ " on " ^ counted m.bodies "body" "bodies")
+     @ ignored
      @ some corners (counted corners "corner is no point" "corners are no points")
      @ some sides (counted sides "side is no edge" "sides are no edges"))

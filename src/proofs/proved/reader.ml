@@ -176,8 +176,8 @@ let check_motion f digest name apart parts line =
   let (last, steps, pairs, contacts, line) = check_bound name first.f digest check in
   let contents = contents last in
   if pairs = 0 && not (has_pair last) then
-    raise (Bad (Printf.sprintf "%s: there is nothing to check: %s, but no two elements that share no vertex and are \
-      neither all fixed nor all on one body" name contents));
+    raise (Bad (Printf.sprintf "%s: there is nothing to check: %s, but no two elements that share no vertex, whose \
+      groups are not ignored, and that are neither all fixed nor all on one body" name contents));
   let text separation =
     let separation = if has_radii then " with separation euclidean, the sum of two radii" else separation in
     Printf.sprintf " in %s%s: %s%s%s" (counted steps "step" "steps") separation contents (Frames.summary parts)

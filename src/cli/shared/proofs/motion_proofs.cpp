@@ -54,7 +54,7 @@ proofs::StepProver prover_of(proofs::MotionElements elements, const Separation& 
   if (prover.has_pair()) return prover;
   const proofs::MotionElements& all = prover.elements();
   throw Error(fmt::format(
-      "--prove: there is nothing to prove: of {}, {} and {} no two share no vertex and are neither "
+      "--prove: there is nothing to prove: of {}, {} and {} no two share no vertex, are asked about and are neither "
       "all fixed nor all on one body",
       counted(all.points.size(), "point"), counted(all.edges.size(), "edge"), counted(all.faces.size(), "face")));
 }
