@@ -147,7 +147,8 @@ std::array<std::uint32_t, 4> StepProver::corners_of(const MotionPair& pair) cons
 
 Separation StepProver::separation_of(const MotionPair& pair) const noexcept {
   const bool is_fold = pair.kind == Kind::point_edge && !std::binary_search(loose_.begin(), loose_.end(), pair.first);
-  if (is_fold) return {0, separation_.metric};
+  const auto& touching = elements_.touching;
+  if (is_fold || std::binary_search(touching.begin(), touching.end(), pair)) return {0, separation_.metric};
   const MotionRadii& radii = elements_.radii;
   if (!radii.any()) return separation_;
   if (are_near(pair)) return {};
@@ -267,6 +268,9 @@ std::string motion_head(const MotionElements& elements) {
     if (group != MotionGroups::kNone) add("group", std::array{vertex, group});
   }
   for (const auto& groups : elements.groups.ignored) add("ignore", groups);
+  for (const auto& [kind, first, second] : elements.touching) {
+    add(("touching " + std::string(name_of(kind))).c_str(), std::array{first, second});
+  }
   for (std::size_t i = 0; i < elements.on_bodies.size(); ++i) {
     const BodyVertex& vertex = elements.on_bodies[i];
     text += "body " + std::to_string(elements.free_count() + i) + ' ' + std::to_string(vertex.body) + ' ';

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <array>
+#include <compare>
 #include <cstddef>
 #include <cstdint>
 #include <string>
@@ -34,6 +35,14 @@ struct MotionRadii {
   bool any() const noexcept { return !points.empty() || !edges.empty() || !faces.empty(); }
 };
 
+/// Two elements, by their numbers among those of their sort.
+struct MotionPair {
+  Kind kind = Kind::edge_edge;
+  std::uint32_t first = 0, second = 0;
+
+  auto operator<=>(const MotionPair& other) const = default;
+};
+
 /// The elements of a motion file. The numbers of vertices are below vertex_count.
 struct MotionElements {
   std::size_t vertex_count = 0;
@@ -44,6 +53,7 @@ struct MotionElements {
   std::vector<BodyVertex> on_bodies = {};           ///< the last vertices
   MotionRadii radii = {};
   MotionGroups groups = {};
+  std::vector<MotionPair> touching = {};  ///< pairs whose separation is zero, in ascending order
 
   std::size_t free_count() const noexcept { return vertex_count - on_bodies.size(); }  ///< vertices on no body
 };
@@ -61,14 +71,6 @@ struct MotionPose {
 struct MotionFrame : std::vector<Vec3> {
   using std::vector<Vec3>::vector;
   std::vector<MotionPose> poses;
-};
-
-/// Two elements, by their numbers among those of their sort.
-struct MotionPair {
-  Kind kind = Kind::edge_edge;
-  std::uint32_t first = 0, second = 0;
-
-  bool operator==(const MotionPair& other) const = default;
 };
 
 /// Whether a <= b + distance, in exact arithmetic. All are finite, and distance >= 0.
@@ -90,7 +92,8 @@ class StepProver {
   /// The pairs of the step between two frames, in the order of the proofs; the same for any number of threads.
   std::vector<MotionPair> pairs(const MotionFrame& start, const MotionFrame& end, int threads) const;
 
-  /// The separation that a pair's proof is about: zero for a fold, a point and a wire that another wire joins. Wires
+  /// The separation that a pair's proof is about: zero for those that only touch, and for a fold, a point and a wire that
+  /// another wire joins. Wires
   /// are edges that are no sides of faces. With radii, their sum, rounded up, but zero where vertices are near.
   Separation separation_of(const MotionPair& pair) const noexcept;
 

@@ -279,11 +279,23 @@ TEST_CASE("a separation within a part leaves out its own neighbours, counts them
         1);
   CHECK(folder.read("m.json") == folder.read("r.json"));
 
+  // The proofs are about the same pairs, and the checker says how many only touch.
+  const Run proved = wide({"--self", "1.5", "--prove", folder.path("proved")});
+  CAPTURE(proved.out, proved.err);
+  const std::string motion = folder.read("proved/motion.txt");
+  const Run checked = run_checker(folder.path("proved/proofs.txt"), {folder.path("proved/motion.txt")});
+  CAPTURE(checked.out, checked.err);
+  CHECK(checked.status == 0);
+  CHECK(occurrences(checked.out, ", " + std::to_string(occurrences(motion, "\ntouching ")) +
+                                     " pairs asked about touching alone\n") == 1);
+  CHECK(occurrences(verdict(proved),
+                    "; " + std::to_string(occurrences(motion, "\ntouching ")) + " pairs that start ") == 1);
+  CHECK((occurrences(checked.out, " 0 contacts, ") == 1) == (proved.status == 0));
+
   check_refused(mesh(with({"--self", "1"}, files)), "--self requires --separation");
   check_refused(wide({"--self", "0"}), "must be greater than 0");
   check_refused(wide({"--self", "nan"}), "--self: ");
   check_refused(wide({"--self", "1", "--between-parts"}), "--between-parts excludes --self");
-  check_refused(wide({"--self", "1", "--prove", folder.path("p")}), "--self excludes --prove");
 }
 
 namespace {

@@ -502,6 +502,7 @@ class Motion:
     """A motion file. Its frames are read one after another, so that two of them are in memory."""
 
     SIZES = {b"point": 1, b"edge": 2, b"face": 3, b"fixed": 1, b"body": 1}
+    KINDS = {b"edge-edge": 0, b"vertex-face": 1, b"point-edge": 2, b"point-point": 3}
     FOLD = 4  # the place of folds among the kinds of pairs
     PARTNERS = {b"point": (b"point", b"edge", b"face"), b"edge": (b"edge", b"point"), b"face": (b"point",)}
 
@@ -523,6 +524,7 @@ class Motion:
         self.near = set()  # pairs of vertices
         self.has_radii = False
         self.groups = {}  # by vertex
+        self.touching = set()  # pairs of elements: the place of their kind, and their numbers
         self.ignored = set()  # pairs of groups; of one that is ignored with itself, the one
         self.read_elements()
         self.fixed = {vertex for vertex, in self.elements.pop(b"fixed")}
@@ -565,6 +567,16 @@ class Motion:
                 if len(words) != 2 or len(pair) != 2 or max(pair) >= self.count or pair in self.near:
                     raise BadInput(f"{self.lines.place()}: expected near V W, two vertices that are not near yet")
                 self.near.add(pair)
+                self.lines.advance()
+                continue
+            if sort == b"touching":
+                kind = self.KINDS.get(b" ".join(words[:1]))
+                numbers = [self.read_integer(word) for word in words[1:]]
+                if kind is None or len(numbers) != 2 or max(numbers) > MAX_VERTICES:
+                    raise BadInput(f"{self.lines.place()}: expected touching KIND I J")
+                if (kind, *numbers) in self.touching or (kind in (0, 3) and numbers[0] >= numbers[1]):
+                    raise BadInput(f"{self.lines.place()}: there is such a line already, or they are not in their order")
+                self.touching.add((kind, *numbers))
                 self.lines.advance()
                 continue
             if sort in (b"group", b"ignore"):
@@ -664,16 +676,19 @@ class Motion:
             separation = round_up(*2 * [max(radii, key=functools.cmp_to_key(order))])
         ends = self.ends(frames)
         for kind, first, second in sorted(self.pairs(*self.boxes(ends, separation))):
-            about = (None, (0, 0)) if kind == self.FOLD else (metric, separation)
+            about = (None, (0, 0)) if self.only_touches(kind, first, second) else (metric, separation)
             if self.has_radii:
                 about = self.separation(kind, first, second)
                 if not are_boxes_near(ends, first[1], second[1], about[1]):
                     continue
             yield about, kind, first, second
 
+    def only_touches(self, kind, first, second):
+        return kind == self.FOLD or (kind, first[0], second[0]) in self.touching
+
     def separation(self, kind, first, second):
         """The metric and the separation of a pair of a motion with radii."""
-        if kind == self.FOLD or any(frozenset(pair) in self.near for pair in itertools.product(first[1], second[1])):
+        if self.only_touches(kind, first, second) or any(frozenset(pair) in self.near for pair in itertools.product(first[1], second[1])):
             return None, (0, 0)
         sorts = [(b"edge", b"edge"), (b"point", b"face"), (b"point", b"edge"), (b"point", b"point")][kind]
         distance = round_up(*(self.radii[sort][number] for sort, (number, _) in zip(sorts, (first, second))))
@@ -725,6 +740,8 @@ class Motion:
         if self.bodies:
             on_bodies = counted(len(self.bodies), "vertex", "vertices")
             counts.append(f"{on_bodies} on {counted(self.body_count, 'body', 'bodies')}")
+        if self.touching:
+            counts.append(counted(len(self.touching), "pair", "pairs") + " asked about touching alone")
         if self.ignored:
             pairs = sorted((min(pair), max(pair)) for pair in self.ignored)
             shown = "".join(f" {g}-{h}" for g, h in pairs[:10]) + (f" and {len(pairs) - 10} more" if pairs[10:] else "")

@@ -229,10 +229,10 @@ class Motion:
         self.bodies = {}
         self.near = set()
         self.has_radii = False
-        self.groups, self.ignored = {}, []
+        self.groups, self.ignored, self.touching = {}, [], set()
         radius = 0
         rest = 2
-        while rest < len(lines) and lines[rest][0] in list(self.SIZES) + ["body", "radius", "near", "group", "ignore"]:
+        while rest < len(lines) and lines[rest][0] in list(self.SIZES) + ["body", "radius", "near", "group", "ignore", "touching"]:
             sort, *words = lines[rest]
             if sort == "radius":
                 radius, = (value(word) for word in words)
@@ -244,6 +244,13 @@ class Motion:
                 if len(words) != 2 or len(pair) != 2 or pair in self.near or not 0 <= min(pair) <= max(pair) < count:
                     raise BadMotion
                 self.near.add(pair)
+            elif sort == "touching":
+                split, size = CORNERS[words[0]]
+                pair = split, size - split, int(words[1]), int(words[2])
+                if len(words) != 3 or pair in self.touching or min(pair[2:]) < 0 or pair[:2] in ((1, 1), (2, 2)) and (
+                        pair[2] >= pair[3]):
+                    raise BadMotion
+                self.touching.add(pair)
             elif sort in ("group", "ignore"):
                 a, b = (int(word) for word in words)
                 known = a in self.groups or a >= count if sort == "group" else [a, b] in self.ignored
@@ -260,6 +267,7 @@ class Motion:
             else:
                 self.elements[sort].append(Element(int(word) for word in words))
                 self.elements[sort][-1].radius = radius
+                self.elements[sort][-1].number = len(self.elements[sort]) - 1
             rest += 1
         body_count = max([body + 1 for body, _ in self.bodies.values()], default=0)
         self.frames = []
@@ -294,6 +302,9 @@ class Motion:
         """As in a row `motion`."""
         a, b = start[0][body], end[0][body]
         return a[:4] + b[:4] + a[4:] + b[4:]
+
+    def only_touches(self, first, second):
+        return (len(first), len(second), first.number, second.number) in self.touching
 
     def separation(self, first, second, is_fold):
         """Of a pair of a motion with radii."""
@@ -378,6 +389,7 @@ def truths_of_motion(text, metric, separation):
             boxes = motion.boxes(start, end)
             answers.append([])
             for first, second, is_fold in pairs:
+                is_fold = is_fold or motion.only_touches(first, second)
                 d = 0 if is_fold else separation
                 if motion.has_radii:
                     d = motion.separation(first, second, is_fold)

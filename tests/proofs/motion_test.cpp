@@ -416,6 +416,9 @@ TEST_CASE("the text of a motion: its elements, the vertices that are held, and f
   CHECK(proofs::motion_head(elements) ==
         "touchstone-motion 1\nvertices 4\npoint 0\npoint 3\nedge 2 1\nface 0 1 2\nfixed 2\n");
   elements.groups = {{0, 1, proofs::MotionGroups::kNone, 0}, {{0, 0}, {0, 1}}};
+  elements.touching = {{Kind::vertex_face, 1, 0}, {Kind::point_edge, 0, 0}};
+  CHECK(proofs::motion_head(elements).ends_with("ignore 0 1\ntouching vertex-face 1 0\ntouching point-edge 0 0\n"));
+  elements.touching.clear();
   CHECK(proofs::motion_head(elements).ends_with("fixed 2\ngroup 0 0\ngroup 1 1\ngroup 3 0\nignore 0 0\nignore 0 1\n"));
   std::string text;
   proofs::append_frame(text, {{0.1, -0.0, kTiny}, {kLargest, -1, 3}});

@@ -702,6 +702,25 @@ def change_groups(rng, file, other):
     return [file]
 
 
+def change_touching(rng, file, other):
+    """Two elements are asked about touching alone, or not any more."""
+    if file.kind != "mesh":
+        return None
+    head, frames = file.motion()
+    lines = [words for words in head if words[0] == "touching"]
+    if lines and rng.random() < 0.5:
+        head.remove(rng.choice(lines))
+    else:
+        kind = rng.choice(list(CORNERS))
+        sorts = {1: "point", 2: "edge", 3: "face"}
+        counts = [sum(words[0] == sorts[size] for words in head) for size in (CORNERS[kind][0],
+                                                                             CORNERS[kind][1] - CORNERS[kind][0])]
+        numbers = sorted(rng.randrange(count + 1) for count in counts)
+        head.append(["touching", kind] + [str(number) for number in numbers])
+    file.set_motion(head, frames)
+    return [file]
+
+
 def change_frames(rng, file, other):
     """A frame drops, doubles or changes its place."""
     if file.kind != "mesh":
@@ -744,7 +763,7 @@ def reorder_proofs(rng, file, other):
 FILE_MUTATIONS = [change_separation_by_ulps, scale_separation, change_metric, drop_separation, add_separation,
                   move_separation, move_separation_line, use_other_file, change_kind, change_coordinate,
                   change_curved_rows, drop_step, drop_step_line, double_step, swap_steps, drop_pair, double_pair, swap_pairs, move_pair, empty_step,
-                  add_fixed, drop_fixed, change_elements, change_radii, change_groups, change_frames, truncate_proofs, reorder_proofs]
+                  add_fixed, drop_fixed, change_elements, change_radii, change_groups, change_touching, change_frames, truncate_proofs, reorder_proofs]
 MUTATIONS = PROOF_MUTATIONS + FILE_MUTATIONS
 
 
@@ -880,12 +899,18 @@ def motion_cases_of(file, parts):
         used = sorted({v for _, _, vertices in chosen for v in vertices})
         names = {v: str(k) for k, v in enumerate(used)}
         new_head = [["touchstone-motion", "1"], ["vertices", str(len(used))]]
+        new_numbers = {}
         for sort, number, vertices in sorted(chosen):
+            new_numbers[sort, number] = sum(one == sort for one, _ in new_numbers)
             if motion.has_radii:
                 new_head.append(["radius", motion.words_of_radii[motion.radii[sort][number]].decode()])
             new_head.append([sort.decode()] + [names[v] for v in vertices])
         new_head += [["fixed", names[v]] for v in used if v in motion.fixed]
         new_head += [["near"] + [names[v] for v in pair] for pair in motion.near if pair <= set(used)]
+        for kind, first, second in motion.touching:
+            pair = (SORTS[kind][0], first), (SORTS[kind][1], second)
+            if set(pair) <= set(new_numbers):
+                new_head.append(["touching", list(motion.KINDS)[kind].decode()] + [str(new_numbers[one]) for one in pair])
         new_head += [["group", names[v], str(motion.groups[v])] for v in used if v in motion.groups]
         new_head += [["ignore"] + [str(group) for group in (min(pair), max(pair))] for pair in motion.ignored]
         bodies = sorted({motion.bodies[v][0] for v in used if v in motion.bodies})

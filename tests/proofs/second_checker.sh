@@ -67,6 +67,7 @@ case $proofs in
     prove_motion cables "$folder"/meshes/cables/frame-000[0-4].obj
     prove_motion sheets --separation 0.02 "$folder"/meshes/sheets/frame-000[0-2].obj
     prove_motion between --separation 0.08 --between-parts "$folder"/meshes/sheets/frame-000[0-3].obj
+    prove_motion self --separation 0.08 --self 0.3 "$folder"/meshes/sheets/frame-000[0-1].obj
     prove_motion max --separation 0.02 --metric max "$folder"/meshes/cables/frame-000[0-2].obj
     "$program" simulate hoop --steps 5 --prove "$folder/hoop"
     both_check "$folder/hoop/proofs.txt" "$folder/hoop/motion.txt"

@@ -578,6 +578,42 @@ def group_cases():
     ]]
 
 
+def touching_cases():
+    apart, near, both = ["none", "d 1 0 0"], ["contact 0 0", "w 0 1", "w 1 1"], "touching point-point 0 1\n"
+
+    def points(lines, head=""):
+        """Points 1 and 2 are at the distance 1 from point 0 in the metric max, and at 2 from each other."""
+        frame = "frame\n0 0 0\n1 1 0\n1 -1 0\n90 0 0\n"
+        return "touchstone-motion 1\nvertices 4\n" + head + "point 0\npoint 1\npoint 2\n" + lines + 2 * frame
+
+    def proof(*pairs, separation="max 1"):
+        return crowd_proof(pairs, separation)
+
+    wire = points(both.replace("point-point 0 1", "point-edge 0 0")).replace("point 1\npoint 2\n", "edge 1 3\n")
+    return [("touching: " + name, status, lines, [text]) for name, status, lines, text in [
+        ("none", 0, proof(near, near), points("")),
+        ("a pair", 0, proof(apart, near), points(both)),
+        ("a pair, within the separation", 1, proof(near, near), points(both)),
+        ("a pair, left out", 1, proof(near), points(both)),
+        ("another pair", 0, proof(near, apart), points("touching point-point 0 2\n")),
+        ("before the points", 0, proof(apart, near), points("", both)),
+        ("no such pair", 0, proof(near, near), points("touching point-point 7 8\n")),
+        ("another kind", 0, proof(near, near), points("touching point-edge 0 1\n")),
+        ("without a separation", 0, proof(separation=""), points(both)),
+        ("a point and an edge", 0, proof(apart), wire),
+        ("a point and an edge, within the separation", 1, proof(near), wire),
+        ("with radii, whose boxes are apart", 0, proof(separation=""), points(
+            both, "radius 1\n").replace("1 -1 0", "9 -9 0")),
+        *[("the line " + line, 2, proof(apart, near), points(both + line + "\n")) for line in (
+            "touching", "touching point-point", "touching point-point 0", "touching point-point 0 1",
+            "touching point-point 1 0", "touching point-point 1 1", "touching point-point 0 1 2",
+            "touching edge-point 0 1", "touching mesh 0 1", "touching point-point 0 01", "touching point-point -1 0",
+            "touching point-point 0 x", "touching edge-edge 3 2", "touching vertex-face 0 1073741824")],
+        *[("the line " + line, 0, proof(apart, near), points(both + line + "\n")) for line in (
+            "touching vertex-face 1 0", "touching point-edge 1 0", "touching edge-edge 2 3")],
+    ]]
+
+
 def motion_cases():
     def motion(name, text, proof=FALL_PROOF, status=2):
         return name, status, proof, [text]
@@ -831,7 +867,8 @@ def curved_cases():
 
 def all_cases():
     return (point_point_cases() + corner_cases() + line_cases() + row_cases() + curved_cases() + motion_cases() +
-            fold_cases() + radius_cases() + group_cases() + body_cases())
+            fold_cases() + radius_cases() + group_cases() + touching_cases() +
+            body_cases())
 
 
 def by_page(proof, files):

@@ -60,9 +60,11 @@ case $sort in
     prove_mesh max --separation 0.02 --metric max meshes/cables/frame-000[0-2].obj
     prove_mesh between --separation 0.08 --between-parts meshes/sheets/frame-000[0-3].obj
     prove_mesh only --separation 0.01 --only-between upper,upper meshes/sheets/frame-000[0-2].obj
+    prove_mesh self --separation 0.08 --self 0.3 meshes/sheets/frame-000[0-1].obj
+    grep -q '^touching ' self/motion.txt
     grep -q '^ignore ' between/motion.txt
     grep -q '^ignore ' only/motion.txt
-    both_check 700 cloth cables sheets max between only
+    both_check 700 cloth cables sheets max between only self
 
     # The digests, of a motion and of queries; and several files.
     cloth=(cloth/proofs.txt cloth/motion.txt)

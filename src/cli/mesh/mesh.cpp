@@ -113,11 +113,24 @@ void check_parts(const MeshRunOptions& options, const std::vector<FrameName>& na
       "one by one");
 }
 
+/// The number of a vertex among the points.
+std::uint32_t point_of(const proofs::MotionElements& elements, MeshIndex vertex) {
+  const auto& points = elements.points;
+  return static_cast<std::uint32_t>(std::lower_bound(points.begin(), points.end(), vertex) - points.begin());
+}
+
 /// The elements of a motion. All of the mesh may move.
 proofs::MotionElements motion_elements(const Mesh& mesh) {
   proofs::MotionElements elements{
       mesh.vertex_count(), proofs::colliding_vertices(mesh.edges(), mesh.points()), mesh.edges(), mesh.faces(), {}};
-  elements.groups = proofs::motion_groups(mesh.elements().rules);
+  const MeshElements all = mesh.elements();
+  elements.groups = proofs::motion_groups(all.rules);
+  for (const auto& [pair, distance] : all.pair_separations) {  // of --self: zero
+    const auto first = pair.kind == Kind::edge_edge ? pair.first : point_of(elements, pair.first);
+    const auto second = pair.kind == Kind::point_point ? point_of(elements, pair.second) : pair.second;
+    elements.touching.push_back({pair.kind, first, second});
+  }
+  std::sort(elements.touching.begin(), elements.touching.end());
   return elements;
 }
 

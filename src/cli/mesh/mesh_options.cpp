@@ -155,8 +155,7 @@ void add_mesh(CLI::App& program, Command& command) {
                    "Write the frames' positions as FOLDER/motion.txt and a proof for each pair of each step as "
                    "FOLDER/proofs.txt, for touchstone-check. The folder must be new or empty")
       ->type_name("FOLDER")
-      ->excludes(check)
-      ->excludes("--self");
+      ->excludes(check);
   subcommand
       ->add_option("--topology", options->topology,
                    "The file with the elements of the mesh, for frames that hold positions only")

@@ -21,8 +21,8 @@ class FrameFiles {
   }
 
   /// @param end  0 for the first frame of the step, 1 for the second one
-  /// @throws Rejected unless that frame is its files, bit by bit, with all of their triangles, lines and points, and the
-  /// sides and corners of these, among the elements
+  /// @throws Rejected unless that frame is its files, bit by bit, with all of their triangles, lines and points, and
+  /// the sides and corners of these, among the elements
   void compare(const MotionFile& motion, std::size_t end) {
     if (empty()) return;
     const std::size_t frame = motion.frame_count() - 2 + end;

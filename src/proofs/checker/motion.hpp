@@ -141,6 +141,7 @@ class MotionFile {
       text +=
           ", " + counted(elements_[4].size(), "vertex", "vertices") + " on " + counted(body_count_, "body", "bodies");
     }
+    if (!touching_.empty()) text += ", " + counted(touching_.size(), "pair", "pairs") + " asked about touching alone";
     text += ignored();
     const auto [corners, sides] = undeclared();
     if (corners > 0) text += ", " + counted(corners, "corner is no point", "corners are no points");
@@ -178,11 +179,12 @@ class MotionFile {
     if (words_[0] == "near") return read_near();
     if (words_[0] == "group") return read_group();
     if (words_[0] == "ignore") return read_ignored();
+    if (words_[0] == "touching") return read_touching();
     const auto sort = static_cast<std::size_t>(std::find(kSorts.begin(), kSorts.end(), words_[0]) - kSorts.begin());
     if (sort == kSorts.size() || words_.size() != kWords[sort]) {
       throw expected(
-          R"("point V", "edge V0 V1", "face V0 V1 V2", "fixed V", "body V B X Y Z", "radius R", "near V W", "group V G", )"
-          R"("ignore G H" or "frame")");
+          R"("point V", "edge V0 V1", "face V0 V1 V2", "fixed V", "body V B X Y Z", "radius R", "near V W", )"
+          R"("group V G", "ignore G H", "touching KIND I J" or "frame")");
     }
     Element element;
     element.number = elements_[sort].size();
@@ -240,6 +242,19 @@ class MotionFile {
     if (words_.size() != 3) throw expected("\"ignore G H\"");
     lines_.require(ignored_.insert(side(read_group_number(words_[1]), read_group_number(words_[2]))).second,
                    "two groups that are not ignored yet were expected");
+  }
+  /// Two elements: their numbers of vertices, and their own numbers.
+  using Numbers = std::array<std::size_t, 4>;
+  void read_touching() {
+    const auto is_it = [&](const Kind& kind) { return words_.size() == 4 && words_[1] == kind.name; };
+    const auto kind = std::find_if(kKinds.begin(), kKinds.end(), is_it);
+    std::uint32_t a = 0, b = 0;
+    if (kind == kKinds.end() || !read_count(words_[2], kMostVertices, a) || !read_count(words_[3], kMostVertices, b)) {
+      throw expected("\"touching KIND I J\"");
+    }
+    const std::size_t second = kind->corners - kind->first;
+    lines_.require((kind->first != second || a < b) && touching_.insert(Numbers{kind->first, second, a, b}).second,
+                   "two elements in their order, which have no such line, were expected");
   }
 
   /// Reads the numbers of a body or of a vertex in the frame, and the line after them.
@@ -330,7 +345,8 @@ class MotionFile {
   std::array<std::set<std::uint32_t>, 5> single_;     ///< the vertices that have a line of each sort
   std::vector<Radius> radii_ = {Radius()};            ///< 0, and those of the lines `radius`
   std::set<std::array<std::uint32_t, 2>> near_;
-  std::map<std::uint32_t, std::uint32_t> groups_;   ///< by vertex
+  std::map<std::uint32_t, std::uint32_t> groups_;  ///< by vertex
+  std::set<Numbers> touching_;
   std::set<std::array<std::uint32_t, 2>> ignored_;  ///< pairs of groups
 };
 

@@ -30,7 +30,7 @@ class MotionPairs : public MotionFile {
     const Separation none;
     for_each_sort([&](const PairKind& kind, const auto& first, const auto& second) {
       for_each_of(kind, first, second, [&](const PairKind&, const Element& a, const Element& b) {
-        if (!has_radii()) return function(kind, a, b, kind.is_fold ? none : of_file);
+        if (!has_radii()) return function(kind, a, b, only_touches(kind, a, b) ? none : of_file);
         const Separation separation = separation_of(kind, a, b);
         if (are_boxes_near(a, b, separation.distance)) function(kind, a, b, separation);
       });
@@ -77,10 +77,14 @@ class MotionPairs : public MotionFile {
     }
     return false;
   }
-  /// The sum of the radii, rounded up to a double; zero for folds and neighbours.
+  /// Whether the separation is zero: for folds, and by a line `touching`.
+  bool only_touches(const PairKind& kind, const Element& a, const Element& b) const {
+    return kind.is_fold || touching_.count({a.size, b.size, a.number, b.number}) > 0;
+  }
+  /// The sum of the radii, rounded up to a double; zero for those that only touch, and for neighbours.
   Separation separation_of(const PairKind& kind, const Element& a, const Element& b) const {
     Separation separation;
-    if (kind.is_fold || are_near(a, b)) return separation;
+    if (only_touches(kind, a, b) || are_near(a, b)) return separation;
     separation.distance = rounded_up(radii_[a.radius].length + radii_[b.radius].length);
     if (sign(separation.distance) > 0) separation.metric = Metric::euclidean;
     return separation;

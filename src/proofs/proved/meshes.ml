@@ -12,15 +12,18 @@ type groups = { of_vertices : (int, int) Hashtbl.t; ignored_pairs : (int * int, 
 (* A motion in the step from one frame to the next one; `line` is the one after them.
    All separations are multiples of 2^finest. *)
 type motion = { f : lines; size : int; mesh : mesh; on_bodies : (int, int * rational_point) Hashtbl.t; bodies : int;
-                radii : radii option; groups : groups; finest : int; fixed_vertices : int; frames : int;
+                radii : radii option; groups : groups; touching : int; finest : int; fixed_vertices : int; frames : int;
                 before : frame; after : frame; line : string list }
 
 let most = 1 lsl 30 - 1
-(* The elements of each sort, the fixed vertices, the points of bodies, the radii, the groups, and the line after. *)
+(* How many corners the elements of a kind have. *)
+let kinds = ["edge-edge", (2, 2); "vertex-face", (1, 3); "point-edge", (1, 2); "point-point", (1, 1)]
+(* The elements of each sort, the fixed vertices, the points of bodies, the radii, the groups, the pairs that only touch,
+   and the line after them. *)
 let read_elements f size =
   let lines = Hashtbl.create 64 and on_bodies = Hashtbl.create 64 in
   let lengths = Hashtbl.create 64 and near = Hashtbl.create 64 and radius = ref None in
-  let of_vertices = Hashtbl.create 64 and ignored_pairs = Hashtbl.create 64 in
+  let of_vertices = Hashtbl.create 64 and ignored_pairs = Hashtbl.create 64 and touching = Hashtbl.create 64 in
   let vertex word =
     let v = count f most word in
     if v < size then v else bad f (Printf.sprintf "here must be a vertex below %d" size) in
@@ -60,11 +63,19 @@ let read_elements f size =
       if Hashtbl.mem ignored_pairs (min g h, max g h) then bad f "here must be two groups that are not ignored yet";
       Hashtbl.add ignored_pairs (min g h, max g h) ();
       read points edges faces fixed
+    | ["touching"; kind; i; j] when List.mem_assoc kind kinds ->
+      let (n, m) = List.assoc kind kinds and i = count f most i and j = count f most j in
+      let key = ((n, Z.of_int i), (m, Z.of_int j)) in
+      if (n = m && i >= j) || Hashtbl.mem touching key then
+        bad f "here must be two elements in their order, which have no such line";
+      Hashtbl.add touching key ();
+      read points edges faces fixed
     | ["frame"] | [] as line ->
       let radii = if !radius = None then None else Some { lengths; near } in
-      (List.rev points, List.rev edges, List.rev faces, fixed, on_bodies, radii, { of_vertices; ignored_pairs }, line)
+      let groups = { of_vertices; ignored_pairs } in
+      (List.rev points, List.rev edges, List.rev faces, fixed, on_bodies, radii, groups, touching, line)
     | _ -> bad f "here must be a line of a point, an edge, a face, a fixed vertex, one on a body, a radius, two \
-                  vertices that are near, a group or two that are ignored, or \"frame\"" in
+                  vertices that are near, a group, two that are ignored, two elements that touch, or \"frame\"" in
   read [] [] [] []
 
 (* The frame whose first line is `m.line` becomes the one after the step. What is fixed has the same numbers in it. *)
@@ -87,8 +98,9 @@ let read_frame is_still m =
   { m with before = m.after; after = { poses; rows }; frames = m.frames + 1; line }
 
 (* The separation of two elements: the sum of their radii, rounded up; zero for neighbours. *)
+let key_of e = (List.length e.vertices, e.index)
 let sum_of_radii { lengths; near } a b =
-  let radius e = match Hashtbl.find_opt lengths (List.length e.vertices, e.index) with
+  let radius e = match Hashtbl.find_opt lengths (key_of e) with
     | Some (length, _) -> length
     | None -> (Z.zero, 0) in
   let are_near v w = Hashtbl.mem near (Z.to_int (Z.min v w), Z.to_int (Z.max v w)) in
@@ -102,7 +114,7 @@ let opened_motion name apart =
   let f = opened name in
   if words f <> ["touchstone-motion"; "1"] then bad f "the first line must be \"touchstone-motion 1\"";
   let size = match words f with ["vertices"; n] -> count f most n | _ -> bad f "here must be \"vertices N\"" in
-  let (points, edges, faces, all_fixed, on_bodies, radii, groups, line) = read_elements f size in
+  let (points, edges, faces, all_fixed, on_bodies, radii, groups, touching, line) = read_elements f size in
   let fixed = Hashtbl.create 64 and still = Hashtbl.create 64 in
   let rest v =
     Hashtbl.replace fixed v ();
@@ -117,12 +129,13 @@ let opened_motion name apart =
     | None, Zero -> ((fun _ _ -> apart), (Z.zero, 0), 0)
     | None, (Euclidean d | Max d) -> let e = 1 - Z.numbits d.qden in ((fun _ _ -> apart), (d.qnum, e), e) in
   let fixed v = Hashtbl.mem fixed (Z.to_int v) in
+  let asked a b = if Hashtbl.mem touching (key_of a, key_of b) then Zero else asked a b in
   let group v = Z.of_int (Option.value (Hashtbl.find_opt groups.of_vertices (Z.to_int v)) ~default:(-1)) in
   let ignored g h = Hashtbl.mem groups.ignored_pairs (Z.to_int (Z.min g h), Z.to_int (Z.max g h)) in
   let mesh = { points; edges; faces; fixed; group; ignored; asked; most = rational (m, e) } in
   let none = { poses = [||]; rows = [||] } in
-  let m = { f; size; mesh; on_bodies; bodies; radii; groups; finest; fixed_vertices = List.length all_fixed; frames = 0;
-            before = none; after = none; line } in
+  let m = { f; size; mesh; on_bodies; bodies; radii; groups; touching = Hashtbl.length touching; finest;
+            fixed_vertices = List.length all_fixed; frames = 0; before = none; after = none; line } in
   let read = read_frame (Hashtbl.mem still) in
   (read (read m), fun m -> if m.line = [] then None else Some (read m))
 
@@ -187,7 +200,7 @@ let contents m =
   let on_bodies = Hashtbl.length m.on_bodies in
   let elements l name = counted (List.length l) name (name ^ "s") in
   let with_radii { lengths; near } =
-    let of_sort = List.filter_map (fun e -> Hashtbl.find_opt lengths (List.length e.vertices, e.index)) in
+    let of_sort = List.filter_map (fun e -> Hashtbl.find_opt lengths (key_of e)) in
     let above = List.filter (fun ((m, _), _) -> Z.sign m > 0) (List.concat_map of_sort [points; edges; faces]) in
     let first sign = List.fold_left (fun (x, w) (y, v) -> if sign * compared y x > 0 then (y, v) else (x, w)) in
     let from = match above with
@@ -208,6 +221,7 @@ let contents m =
      @ Option.fold ~none:[] ~some:with_radii m.radii
      @ some m.fixed_vertices (counted m.fixed_vertices "fixed vertex" "fixed vertices")
      @ some m.bodies (counted on_bodies "vertex" "vertices" ^ " on " ^ counted m.bodies "body" "bodies")
+     @ some m.touching (counted m.touching "pair" "pairs" ^ " asked about touching alone")
      @ ignored
      @ some corners (counted corners "corner is no point" "corners are no points")
      @ some sides (counted sides "side is no edge" "sides are no edges"))

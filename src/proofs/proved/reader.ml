@@ -68,8 +68,7 @@ let curved q corners =
     | _ -> bad q.f "here must be a row: query, a motion of 14 numbers, body with 3, or curve with up to 12" in
   read [] []
 
-(* How many corners the elements of a kind have; and the next query of a file, or None at its end. *)
-let kinds = ["edge-edge", (2, 2); "vertex-face", (1, 3); "point-edge", (1, 2); "point-point", (1, 1)]
+(* The next query of a file, or None at its end. *)
 let next_query q (first, second) apart =
   if q.row = [] then None else
     let corners = (if q.is_curved then curved else straight) q (first + second) in
