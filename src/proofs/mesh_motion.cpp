@@ -50,6 +50,17 @@ std::vector<std::uint32_t> colliding_vertices(const std::vector<std::array<std::
   return vertices;
 }
 
+void add_body(MotionElements& to, std::uint32_t body, const std::vector<Vec3>& points,
+              const std::vector<std::uint32_t>& collide, const std::vector<std::array<std::uint32_t, 2>>& edges,
+              const std::vector<std::array<std::uint32_t, 3>>& faces) {
+  const auto first = static_cast<Index>(to.vertex_count);
+  to.vertex_count += points.size();
+  for (const Vec3& point : points) to.on_bodies.push_back({body, point});
+  for (const Index v : collide) to.points.push_back(first + v);
+  for (const auto& [v, w] : edges) to.edges.push_back({first + v, first + w});
+  for (const auto& [u, v, w] : faces) to.faces.push_back({first + u, first + v, first + w});
+}
+
 // Rounding to the nearest double keeps the order, and a and the sum's rounding s are doubles. So a < s implies a <= b +
 // distance, and a > s the opposite. For a = s the error of the sum decides. Of the two terms let x be the one that is
 // at least as large as y in absolute value; then s - x and y - (s - x) are exact (Dekker). A sum beyond the largest

@@ -62,6 +62,13 @@ struct MotionElements {
 std::vector<std::uint32_t> colliding_vertices(const std::vector<std::array<std::uint32_t, 2>>& edges,
                                               const std::vector<std::uint32_t>& loose_points);
 
+/// Adds the vertices of a body, and its elements by the numbers of these. The radii stay as they are.
+/// @param points   of all its vertices
+/// @param collide  the numbers of those that collide
+void add_body(MotionElements& to, std::uint32_t body, const std::vector<Vec3>& points,
+              const std::vector<std::uint32_t>& collide, const std::vector<std::array<std::uint32_t, 2>>& edges,
+              const std::vector<std::array<std::uint32_t, 3>>& faces);
+
 struct MotionPose {
   std::array<double, 4> q{1, 0, 0, 0};
   Vec3 p;

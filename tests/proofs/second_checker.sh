@@ -32,6 +32,15 @@ prove_motion() { # NAME ARGUMENT...: the exit status is 1 where the motion has c
   "$program" mesh --prove "$folder/$1" "${@:2}" || [[ $? == 1 ]]
   both_check "$folder/$1/proofs.txt" "$folder/$1/motion.txt"
 }
+# Recorded poses: a tetrahedron that turns through another one, in steps of which the second one goes to -q.
+prove_poses() { # NAME ARGUMENT...
+  local name=$1 one=$folder/one.obj two=$folder/two.obj
+  printf 'v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n' | tee "$two" >"$one"
+  printf '%s\n' time,body,x,y,z,qw,qx,qy,qz 0,one,2,0,0,1,0,0,0 1,one,1,0,0,0.5,0.5,0,0 2,one,0,0.25,0,-1,-1,-0.5,0 \
+    0,two,0,0,0,1,0,0,1 1,two,0,0,0,1,1,0,1 2,two,0,0,0.25,1,1,0.5,1 >"$folder/poses.csv"
+  "$program" bodies "$one" "$two" --poses "$folder/poses.csv" --prove "$folder/$name" "${@:2}" || [[ $? == 1 ]]
+  both_accept "$folder/$name/proofs.txt" "$folder/$name/motion.txt"
+}
 # Bodies that turn: links that meet late, a nut on a fixed bolt, and a rim with a ball of particles.
 prove_bodies() { # NAME ARGUMENT...
   "$program" simulate "${@:2}" --prove "$folder/$1"
@@ -77,6 +86,8 @@ case $proofs in
     prove_bodies chain --resume "$folder/chain.json" --steps 4
     prove_bodies nut nut-and-bolt --size 24 --steps 1
     prove_bodies rim hoop-rim --steps 2
+    prove_poses poses
+    prove_poses apart --separation 0.125 --metric max
     ;;
   *)
     echo "second_checker.sh: '$proofs' is none of queries, curved, separations, motions and bodies" >&2

@@ -11,10 +11,11 @@
 #include "cli/bodies/body_files.hpp"
 #include "cli/bodies/body_results.hpp"
 #include "cli/shared/command_line/common_options.hpp"
+#include "cli/shared/command_line/mesh_file_options.hpp"
 #include "cli/shared/progress/pipeline.hpp"
 #include "cli/shared/progress/stoppable.hpp"
 #include "cli/shared/progress/waiting_line.hpp"
-#include "frames/content.hpp"
+#include "cli/shared/proofs/motion_proofs.hpp"
 #include "io/fail.hpp"
 #include "numbers/roots/vanishing.hpp"
 
@@ -22,36 +23,68 @@ namespace touchstone::cli {
 
 namespace {
 
-void check_output(const BodiesRunOptions& options, std::vector<std::string> inputs) {
-  if (options.free_step.empty()) return;
+void check_outputs(const BodiesRunOptions& options, std::vector<std::string> inputs) {
   if (options.free_step == "-") throw Error("--free-step: name a file to write");
-  for (std::size_t i = 0, count = inputs.size(); i < count; ++i) {
-    const std::vector<std::string> beside = frames::files_beside(inputs[i]);
-    inputs.insert(inputs.end(), beside.begin(), beside.end());
-  }
+  std::vector<std::pair<std::string, std::string>> outputs;
+  if (!options.free_step.empty()) outputs.emplace_back("--free-step", options.free_step);
+  MotionProofs::add_files(options.prove, outputs);
   inputs.push_back(options.poses);
-  refuse_to_overwrite(options.free_step, inputs);
+  check_mesh_outputs(outputs, inputs);
 }
 
-/// @throws FileError  where the quaternion is zero on the way
+/// @throws FileError  where the quaternion is zero on the way, or the turn has no proof
 void check_turn(const BodiesRunOptions& options, const RigidMotion& motion, const std::string& body,
                 const std::string& step) {
-  if (!numbers::zero_between(motion.q0, motion.q1)) return;
-  io::fail(options.poses, fmt::format("{}: by the signs of its quaternions body {} makes a whole turn, about no axis; "
-                                      "without --as-given it makes none",
-                                      step, io::in_quotes(body)));
+  const auto refuse = [&](const char* turn, const char* advice) {
+    io::fail(options.poses, fmt::format("{}: by the signs of its quaternions body {} {}; {}", step, io::in_quotes(body),
+                                        turn, advice));
+  };
+  if (numbers::zero_between(motion.q0, motion.q1)) {
+    refuse("makes a whole turn, about no axis", "without --as-given it makes none");
+  }
+  if (!options.prove.empty() && takes_longer_turn(motion)) {
+    refuse("turns by more than 180 degrees",
+           "--prove is for shorter turns: leave out --as-given, or give a pose between them");
+  }
+}
+
+proofs::MotionElements motion_elements(const Bodies& bodies) {
+  proofs::MotionElements elements;
+  for (BodyIndex body = 0; body < bodies.bodies.size(); ++body) {
+    const Mesh& mesh = bodies.bodies[body].mesh();
+    proofs::add_body(elements, body, bodies.bodies[body].points(),
+                     proofs::colliding_vertices(mesh.edges(), mesh.points()), mesh.edges(), mesh.faces());
+  }
+  return elements;
+}
+
+/// The poses at the end of a step. A motion has one pose of a body in a frame: where the step before ended with -q, this
+/// one goes from there, with the other sign at its end, too. That is the same motion.
+proofs::MotionFrame frame_after(const proofs::MotionFrame& frame, const std::vector<RigidMotion>& motions) {
+  proofs::MotionFrame next;
+  for (std::size_t body = 0; body < motions.size(); ++body) {
+    next.poses.push_back({motions[body].q1, motions[body].p1});
+    if (frame.poses[body].q == motions[body].q0) continue;
+    for (double& component : next.poses[body].q) component = -component;
+  }
+  return next;
 }
 
 }  // namespace
 
 int run_bodies(const BodiesRunOptions& options) {
   BodyFiles files(options);
-  check_output(options, files.files());
+  check_outputs(options, files.files());
   const RecordedPoses poses = read_poses(options.poses, files.names(), options.order);
-  BodyResults results(options, files, poses);
-
   BodyStepOptions how;
   how.threads = thread_count(options.threads);
+  std::optional<MotionProofs> proofs;
+  if (!options.prove.empty()) {
+    proofs.emplace(options.prove, motion_elements(files.bodies()), files.bodies().separation, how.threads);
+  }
+  proofs::MotionFrame frame;
+  BodyResults results(options, files, poses);
+
   how.stop = &interruption();
   how.check_start = options.check_start;
   const std::size_t steps = poses.times.size() - 1, count = files.names().size();
@@ -74,6 +107,14 @@ int run_bodies(const BodiesRunOptions& options) {
       first.first_contact = first_contact(files.bodies(), motions, how);
       return first;
     });
+    if (proofs) {
+      if (step == 0) {
+        for (const RigidMotion& motion : motions) frame.poses.push_back({motion.q0, motion.p0});
+        proofs->add(frame);
+      }
+      frame = frame_after(frame, motions);
+      proofs->add(frame);
+    }
     waiting.end();
     if (found.first_contact.excluded == count * (count - 1) / 2) {
       throw Error("--ignore and --only-between leave no pair of bodies to ask about");
@@ -81,7 +122,9 @@ int run_bodies(const BodiesRunOptions& options) {
     results.add(found, longer);
     how.check_start = !found.first_contact.free();  // a free step from a free start ends free
   }
-  return results.finish() ? kAllHold : kRefuted;
+  if (proofs) proofs->commit();
+  const bool all_free = results.finish(proofs ? proofs->summary() : std::string());
+  return all_free && (!proofs || proofs->contacts() == 0) ? kAllHold : kRefuted;
 }
 
 }  // namespace touchstone::cli

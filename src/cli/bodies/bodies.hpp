@@ -28,6 +28,7 @@ struct BodiesRunOptions {
   bool check_start = true;  ///< asks about intersections at the start of the first step
   int threads = 0;          ///< 0: all that the machine has
   bool json = false;        ///< steps as lines of JSON on standard output, the verdict beside it
+  std::string prove;        ///< the folder of proofs; empty: none
   std::string free_step;    ///< the table of poses to write at which each step may end; empty: none
 };
 

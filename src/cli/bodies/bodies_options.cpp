@@ -62,6 +62,14 @@ void add_bodies(CLI::App& program, Command& command) {
           "poses. A row a body and step")
       ->type_name("FILE")
       ->check(named_as(Output::csv));
+  subcommand
+      ->add_option("--prove", options->prove,
+                   "Write the bodies and their poses as FOLDER/motion.txt and a proof for each pair of each step as "
+                   "FOLDER/proofs.txt, for touchstone-check. The folder must be new or empty")
+      ->type_name("FOLDER")
+      ->excludes("--only-between")
+      ->excludes("--ignore")
+      ->check(not_empty);
   subcommand->footer(
       "Between two poses a quaternion is (1 - t) q0 + t q1 and a position (1 - t) p0 + t p1, t in [0, 1]: the body "
       "turns\n"
@@ -70,7 +78,9 @@ void add_bodies(CLI::App& program, Command& command) {
       "Examples\n"
       "  touchstone bodies box.obj wall.stl --poses poses.csv\n"
       "  touchstone bodies arm/*.stl table.obj --poses log.csv --ignore 'link1,link2' --separation 1e-3\n"
-      "  touchstone bodies box.obj wall.obj --poses poses.csv --json > steps.jsonl\n\n"
+      "  touchstone bodies box.obj wall.obj --poses poses.csv --json > steps.jsonl\n"
+      "  touchstone bodies box.obj wall.obj --poses poses.csv --prove proved && touchstone-check proved/proofs.txt "
+      "proved/motion.txt\n\n"
       "Exit status: 0 every step is free and the bodies do not intersect at the start, 1 otherwise, 2 bad usage or "
       "bad\n"
       "input.");

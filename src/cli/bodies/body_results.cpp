@@ -234,17 +234,18 @@ std::string BodyResults::verdict() const {
   return text + "\n";
 }
 
-bool BodyResults::finish() {
+bool BodyResults::finish(const std::string& more) {
   const bool all_free = free_ == steps_;
   if (free_step_) free_step_->commit();
   if (options_.json) {
-    print_error(verdict());
+    print_error(verdict() + more);
   } else {
     console_.write(in_colour(verdict() + lines_, VerdictLine::first, all_free));
     if (shown_ > kShownSteps) {
       console_.write(fmt::format("and {} that {} not free; --json has all\n",
                                  counted(shown_ - kShownSteps, "more step"), shown_ - kShownSteps == 1 ? "is" : "are"));
     }
+    console_.write(more);
     console_.commit();
   }
   return all_free;

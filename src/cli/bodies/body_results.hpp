@@ -28,8 +28,8 @@ class BodyResults {
   /// @param longer  how many bodies take the longer of two turns by the signs of their recorded quaternions
   void add(const FreeBodyStep& step, std::size_t longer);
 
-  /// Writes the verdict and what belongs to it. @returns whether every step is free
-  bool finish();
+  /// Writes the verdict and what belongs to it. @param more  lines for its end  @returns whether every step is free
+  bool finish(const std::string& more);
 
  private:
   void write_poses(const FreeBodyStep& step);

@@ -17,13 +17,13 @@
 #include "cli/mesh/mesh_animation.hpp"
 #include "cli/mesh/output.hpp"
 #include "cli/shared/command_line/common_options.hpp"
+#include "cli/shared/command_line/mesh_file_options.hpp"
 #include "cli/shared/progress/interrupt.hpp"
 #include "cli/shared/progress/pipeline.hpp"
 #include "cli/shared/progress/stoppable.hpp"
 #include "cli/shared/progress/waiting_line.hpp"
 #include "cli/shared/proofs/motion_proofs.hpp"
 #include "cli/shared/words.hpp"
-#include "frames/content.hpp"
 #include "io/fail.hpp"
 #include "io/times.hpp"
 #include "sequence/checks.hpp"
@@ -39,7 +39,7 @@ using frames::Frame;
 using sequence::FrameName;
 using sequence::Question;
 
-void check_files(const MeshRunOptions& options, std::vector<std::string> inputs) {
+void check_files(const MeshRunOptions& options, const std::vector<std::string>& inputs) {
   if (options.pairs == "-") throw Error("--pairs: name a file to write");
   if (options.html == "-") throw Error("--html: name a file to write");
   if (options.json && options.report == "-")
@@ -65,17 +65,8 @@ void check_files(const MeshRunOptions& options, std::vector<std::string> inputs)
       outputs.emplace_back("--queries", (folder / name).string());
     }
   }
-  if (!options.prove.empty()) {
-    for (const char* name : {MotionProofs::kMotionFile, MotionProofs::kProofsFile}) {
-      outputs.emplace_back("--prove", (std::filesystem::path(options.prove) / name).string());
-    }
-  }
-  for (std::size_t i = 0, count = outputs.empty() ? 0 : inputs.size(); i < count; ++i) {
-    const std::vector<std::string> beside = frames::files_beside(inputs[i]);
-    inputs.insert(inputs.end(), beside.begin(), beside.end());
-  }
-  for (const auto& [option, output] : outputs) refuse_to_overwrite(output, inputs);
-  refuse_one_file_twice(outputs);
+  MotionProofs::add_files(options.prove, outputs);
+  check_mesh_outputs(outputs, inputs);
 }
 
 sequence::Heading heading_for(const MeshRunOptions& options, const FrameSource& source) {

@@ -56,18 +56,11 @@ Vec3 vec(const sim::Vector3& x) { return {x.x(), x.y(), x.z()}; }
 /// The vertices of bodies come after all particles.
 void add_bodies(proofs::MotionElements& elements, const sim::BodyColliders& colliders) {
   for (sim::Index b = 0; b < colliders.surfaces().size(); ++b) {
-    const auto first = static_cast<sim::Index>(elements.vertex_count);
     const sim::ElementSet& surface = colliders.surface(b);
-    for (const sim::Vector3& point : colliders.bodies().bodies()[b].points) {
-      elements.on_bodies.push_back({b, vec(point)});
-      elements.fixed.push_back(colliders.can_move(b) ? 0 : 1);
-    }
-    elements.vertex_count += colliders.bodies().bodies()[b].points.size();
-    for (const sim::Index v : surface.vertices) elements.points.push_back(first + v);
-    for (const sim::Edge& edge : surface.edges) elements.edges.push_back({first + edge[0], first + edge[1]});
-    for (const sim::Face& face : surface.faces) {
-      elements.faces.push_back({first + face[0], first + face[1], first + face[2]});
-    }
+    std::vector<Vec3> points;
+    for (const sim::Vector3& point : colliders.bodies().bodies()[b].points) points.push_back(vec(point));
+    proofs::add_body(elements, b, points, surface.vertices, surface.edges, surface.faces);
+    elements.fixed.resize(elements.vertex_count, colliders.can_move(b) ? 0 : 1);
     if (!colliders.has_separations()) continue;
     elements.radii.points.resize(elements.points.size(), colliders.radius(b));
     elements.radii.edges.resize(elements.edges.size(), colliders.radius(b));

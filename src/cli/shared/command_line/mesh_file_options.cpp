@@ -3,6 +3,9 @@
 
 #include <CLI/CLI.hpp>
 
+#include "cli/shared/command_line/common_options.hpp"
+#include "frames/content.hpp"
+
 namespace touchstone::cli {
 
 void add_repair_options(CLI::App& subcommand, sequence::RepairOptions& repairs, bool& triangulate,
@@ -24,6 +27,16 @@ void add_pair_options(CLI::App& subcommand, sequence::PartOptions& parts, const 
   for (CLI::Option* const option : {only_between, ignored}) {
     option->type_name("A,B")->allow_extra_args(false)->check(pair_of_names);
   }
+}
+
+void check_mesh_outputs(const std::vector<std::pair<std::string, std::string>>& outputs,
+                        std::vector<std::string> inputs) {
+  for (std::size_t i = 0, count = outputs.empty() ? 0 : inputs.size(); i < count; ++i) {
+    const std::vector<std::string> beside = frames::files_beside(inputs[i]);
+    inputs.insert(inputs.end(), beside.begin(), beside.end());
+  }
+  for (const auto& [option, output] : outputs) refuse_to_overwrite(output, inputs);
+  refuse_one_file_twice(outputs);
 }
 
 void add_threads_option(CLI::App& subcommand, int& threads) {

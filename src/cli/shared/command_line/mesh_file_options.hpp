@@ -3,6 +3,8 @@
 #pragma once
 
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "cli/shared/command_line/command.hpp"
 #include "sequence/parts/part_rules.hpp"
@@ -19,6 +21,12 @@ void add_repair_options(CLI::App& subcommand, sequence::RepairOptions& repairs, 
 /// @param only, ignore  the sentences about them
 void add_pair_options(CLI::App& subcommand, sequence::PartOptions& parts, const std::string& only,
                       const std::string& ignore);
+
+/// @param outputs  the options that name a file to write, and these names
+/// @param inputs   files of meshes, beside which other ones may be read
+/// @throws FileError, Error  as refuse_to_overwrite and refuse_one_file_twice
+void check_mesh_outputs(const std::vector<std::pair<std::string, std::string>>& outputs,
+                        std::vector<std::string> inputs);
 
 /// --threads, on which no result depends.
 void add_threads_option(CLI::App& subcommand, int& threads);

@@ -61,6 +61,12 @@ proofs::StepProver prover_of(proofs::MotionElements elements, const Separation& 
 
 }  // namespace
 
+void MotionProofs::add_files(const std::string& folder, std::vector<std::pair<std::string, std::string>>& outputs) {
+  if (folder.empty()) return;
+  for (const char* name : {kMotionFile, kProofsFile})
+    outputs.emplace_back("--prove", (fs::path(folder) / name).string());
+}
+
 MotionProofs::MotionProofs(const fs::path& folder, proofs::MotionElements elements, const Separation& separation,
                            int threads)
     : prover_(prover_of(std::move(elements), separation)),

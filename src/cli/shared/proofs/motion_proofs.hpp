@@ -5,6 +5,8 @@
 #include <cstdint>
 #include <filesystem>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include <touchstone/separation.hpp>
 
@@ -20,6 +22,9 @@ namespace touchstone::cli {
 class MotionProofs {
  public:
   static constexpr char kMotionFile[] = "motion.txt", kProofsFile[] = "proofs.txt";
+
+  /// Adds both files to the outputs of a program, unless the folder's name is empty.
+  static void add_files(const std::string& folder, std::vector<std::pair<std::string, std::string>>& outputs);
 
   /// @param folder   a new or an empty folder
   /// @param threads  how many prove the pairs of a step

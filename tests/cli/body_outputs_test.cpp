@@ -1,0 +1,91 @@
+// touchstone bodies: the proofs that it writes.
+// SPDX-License-Identifier: MIT
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "cli/body_runs.hpp"
+#include "cli/run_checker.hpp"
+#include "support/query_text.hpp"
+
+using namespace touchstone;
+using namespace touchstone::tests;
+
+TEST_CASE("bodies --prove: the checker accepts each step, also where a recorder changes the sign of a quaternion") {
+  const BarAndWall scene;
+  // The quarter turn, a rest under the other sign, another quarter turn from there to a quaternion at right angles to
+  // the first one, and half a turn back, which the signs alone choose.
+  const std::string poses = "0,bar,0,0,0,1,0,0,0\n2,bar,0,0,0," + std::string(kTurned) +
+                            "\n3,bar,0,0,0,-0.70710678118654757,0,0,-0.70710678118654757\n4,bar,0,0,0,0,0,0,1\n"
+                            "5,bar,0,0,0,1,0,0,0\n";
+  for (const std::string wall : {"1.625", "1.6875"}) {
+    std::string text = kHeader + poses;
+    for (const std::string time : {"0", "2", "3", "4", "5"}) text += time + ",wall," + wall + ",0,0,1,0,0,0\n";
+    const std::string name = "proved" + wall, folder = scene.folder.path(name);
+    const Run made = scene.run(text, {"--json", "--prove", folder, "--threads", "1"});
+    CAPTURE(wall, made.err);
+    const bool free = wall != "1.625";
+    CHECK(made.status == (free ? 0 : 1));
+    CHECK(occurrences(made.err, " in 4 steps proved in " + folder + ": " + (free ? "no contact\n" : "12 contacts\n")) ==
+          1);
+    const Run checked = run_checker(folder + "/proofs.txt", {folder + "/motion.txt"});
+    CAPTURE(checked.out, checked.err);
+    CHECK(checked.status == 0);
+    CHECK(occurrences(checked.out, ": 5 frames, 16 vertices, 16 points, 36 edges, 24 faces, 16 vertices on 2 bodies") ==
+          1);
+
+    // Each contact of a step is proved with its times.
+    std::string proofs = scene.folder.read(name + "/proofs.txt");
+    std::size_t step_number = 0;
+    for (const std::string& line : lines_of(made.out)) {
+      const auto step = nlohmann::json::parse(line);
+      const std::size_t begin = proofs.find("step " + std::to_string(step_number++) + "\n");
+      const std::string of_step = proofs.substr(begin, proofs.find("\nstep ", begin + 1) - begin);
+      if (step["free"]) {
+        CHECK(occurrences(of_step, " contact ") == 0);
+      } else {
+        const std::string times = hexfloat(step["toi"]) + " " + hexfloat(step["toi_upper"]) + "\n";
+        CHECK(occurrences(of_step, " contact " + times) == step["first"].size());
+      }
+    }
+    const Run again = scene.run(text, {"--prove", scene.folder.path("again" + wall), "--threads", "3"});
+    CHECK(again.status == made.status);
+    CHECK((scene.folder.read("again" + wall + "/proofs.txt") == proofs));
+  }
+  // The checker does look: elsewhere the bodies do not meet so.
+  std::string motion = scene.folder.read("proved1.625/motion.txt");
+  for (std::size_t at; (at = motion.find("0x1.ap+0")) != std::string::npos;) motion.replace(at, 8, "0x1.5p+0");
+  const std::string changed = scene.folder.write("motion.txt", motion);
+  std::string proofs = scene.folder.read("proved1.625/proofs.txt");
+  const std::size_t digest = proofs.find("file mesh ") + 10;
+  proofs.replace(digest, 64, "-");
+  CHECK(run_checker(scene.folder.write("proofs.txt", proofs), {changed}).status == 1);
+}
+
+TEST_CASE("bodies --prove: separations; what has no proof is refused, and nothing is left behind") {
+  const BarAndWall scene;
+  for (const std::string metric : {"euclidean", "max"}) {
+    const std::string folder = scene.folder.path(metric);
+    const Run made = scene.run(BarAndWall::quarter_turn("1.6875"),
+                               {"--separation", "0.0625", "--metric", metric, "--prove", folder});
+    CHECK(made.status == 1);
+    const Run checked = run_checker(folder + "/proofs.txt", {folder + "/motion.txt"});
+    CHECK(checked.status == 0);
+    CHECK(occurrences(checked.out, "in 1 step with separation " + metric + " 0x1p-4: 2 frames") == 1);
+  }
+  const std::string folder = scene.folder.path("new");
+  const auto refused = [&](const std::vector<std::string>& more, const std::string& reason,
+                           const std::string& poses = BarAndWall::quarter_turn("1.625")) {
+    check_refused(scene.run(poses, with({"--prove", folder}, more)), reason);
+    CHECK_FALSE(std::filesystem::exists(folder));
+  };
+  refused({"--ignore", "bar,wall"}, "--ignore excludes --prove");
+  refused({"--only-between", "bar,wall"}, "--only-between excludes --prove");
+  refused({"--free-step", folder + "/motion.txt"}, "another option names too");
+  refused({"--as-given"},
+          "poses.csv: 0 -> 1: by the signs of its quaternions body 'bar' turns by more than 180 degrees",
+          std::string(kHeader) + "0,bar,0,0,0,1,0,0,0\n1,bar,0,0,0,-0.1,0,0,0.9949874371066200\n");
+  refused({}, "poses.csv:2: x is 'a'", std::string(kHeader) + "0,bar,a,0,0,1,0,0,0\n");
+  check_refused(scene.run(BarAndWall::quarter_turn("1.625"), {"--prove", scene.folder.path("max")}),
+                "max: holds ");
+}
