@@ -187,6 +187,12 @@ TEST_CASE("each function refuses the options that it has not, and takes those th
   const double x[] = {0, 0, 0, 1, 0, 0}, distance = 0.5;
   double positions[6];
   touchstone_first_contact result = TOUCHSTONE_FIRST_CONTACT_INIT;
+  touchstone_bodies_elements no_bodies = TOUCHSTONE_BODIES_ELEMENTS_INIT;
+  no_bodies.quaternion = TOUCHSTONE_QUATERNION_WXYZ;
+  touchstone_bodies* bodies = nullptr;
+  REQUIRE(touchstone_bodies_create(&no_bodies, &bodies) == TOUCHSTONE_OK);
+  touchstone_first_body_contact first_of_bodies = TOUCHSTONE_FIRST_BODY_CONTACT_INIT;
+  touchstone_body_contacts* of_bodies = nullptr;
   touchstone_contacts* contacts = nullptr;
   touchstone_intersections* found = nullptr;
   int intersects = 0;
@@ -215,7 +221,16 @@ TEST_CASE("each function refuses the options that it has not, and takes those th
        }},
       {"", [&] { return touchstone_mesh_intersects(mesh, x, 6, &options, &intersects); }},
       {"kept_fraction float32 check_start ",
-       [&] { return touchstone_mesh_free_step(mesh, x, x, 6, &options, positions, nullptr, nullptr, nullptr); }}};
+       [&] { return touchstone_mesh_free_step(mesh, x, x, 6, &options, positions, nullptr, nullptr, nullptr); }},
+      {"t_max check_start ",
+       [&] { return touchstone_bodies_first_contact(bodies, x, x, 0, &options, &first_of_bodies, nullptr, nullptr); }},
+      {"t_max ",
+       [&] {
+         touchstone_body_contacts_destroy(of_bodies);
+         return touchstone_bodies_all_contacts(bodies, x, x, 0, &options, &of_bodies);
+       }},
+      {"check_start ",
+       [&] { return touchstone_bodies_free_step(bodies, x, x, 0, &options, positions, nullptr, nullptr, nullptr); }}};
   const std::vector<std::pair<std::string, std::function<void()>>> changes = {
       {"t_max", [&] { options.t_max = 0.5; }},
       {"separation", [&] { options.separation = 0.5; }},
@@ -237,6 +252,8 @@ TEST_CASE("each function refuses the options that it has not, and takes those th
       if (!has) CHECK(message_has(name + " is set, and this function has no such option"));
     }
   }
+  touchstone_body_contacts_destroy(of_bodies);
+  touchstone_bodies_destroy(bodies);
   touchstone_contacts_destroy(contacts);
   touchstone_intersections_destroy(found);
   touchstone_mesh_destroy(mesh);

@@ -1,4 +1,4 @@
-/* A program in C11 that uses the library: a query, a batch, a mesh, and an error. Exit status 0 when all is right.
+/* A program in C11 that uses the library: a query, a batch, a mesh, bodies, and an error. Exit status 0 when all is right.
  * SPDX-License-Identifier: MIT */
 #include <math.h>
 #include <stdint.h>
@@ -84,6 +84,54 @@ static void mesh(void) {
   touchstone_mesh_destroy(handle);
 }
 
+/* An edge makes a quarter turn about z, beside a plate at y = 1.375 that its points reach on the way. */
+static void bodies(void) {
+  const uint32_t edge[2] = {0, 1}, face[3] = {0, 1, 2};
+  const double edge_points[6] = {1, 1, -3, 1, 1, 3}, face_points[9] = {-9, 0, -9, 9, 0, -9, 0, 0, 9};
+  const double start[14] = {0, 0, 0, 1, 0, 0, 0, 0, 1.375, 0, 1, 0, 0, 0}; /* x y z, w x y z */
+  const double end[14] = {0, 0, 0, 1, 0, 0, 1, 0, 1.375, 0, 1, 0, 0, 0};
+  double poses[14], length = -1;
+  struct touchstone_mesh_elements bar = TOUCHSTONE_MESH_ELEMENTS_INIT, wall = TOUCHSTONE_MESH_ELEMENTS_INIT;
+  struct touchstone_bodies_elements elements = TOUCHSTONE_BODIES_ELEMENTS_INIT;
+  struct touchstone_first_body_contact result = TOUCHSTONE_FIRST_BODY_CONTACT_INIT;
+  struct touchstone_body_pair pair;
+  touchstone_mesh* meshes[2] = {NULL, NULL};
+  touchstone_body* made[2] = {NULL, NULL};
+  const touchstone_body* both[2];
+  touchstone_bodies* handle = NULL;
+  touchstone_body_contacts* first = NULL;
+  int outcome = -1, i;
+
+  bar.vertex_count = 2, bar.edges = edge, bar.edge_count = 1;
+  wall.vertex_count = 3, wall.faces = face, wall.face_count = 1;
+  check(touchstone_mesh_create(&bar, &meshes[0]) == TOUCHSTONE_OK, "the mesh of the bar");
+  check(touchstone_mesh_create(&wall, &meshes[1]) == TOUCHSTONE_OK, "the mesh of the wall");
+  check(touchstone_body_create(meshes[0], edge_points, 6, &made[0]) == TOUCHSTONE_OK, "the bar");
+  check(touchstone_body_create(meshes[1], face_points, 9, &made[1]) == TOUCHSTONE_OK, "the wall");
+  both[0] = made[0], both[1] = made[1];
+  elements.bodies = both, elements.body_count = 2;
+  check(touchstone_bodies_create(&elements, &handle) == TOUCHSTONE_INVALID_ARGUMENT, "the order is to be named");
+  elements.quaternion = TOUCHSTONE_QUATERNION_WXYZ;
+  check(touchstone_bodies_create(&elements, &handle) == TOUCHSTONE_OK, "bodies");
+  for (i = 0; i < 2; ++i) {
+    touchstone_mesh_destroy(meshes[i]);
+    touchstone_body_destroy(made[i]);
+  }
+  check(touchstone_bodies_first_contact(handle, start, end, 14, NULL, &result, &first, NULL) == TOUCHSTONE_OK,
+        "the first contact of bodies");
+  check(result.contact == 1 && result.free == 0 && result.toi > 0.2 && result.toi < 0.3, "the bar meets the wall");
+  check(touchstone_body_contacts_count(first) == 2, "both of its points");
+  check(touchstone_body_contacts_get(first, 1, &pair, NULL) == TOUCHSTONE_OK &&
+            pair.kind == TOUCHSTONE_KIND_VERTEX_FACE && pair.first_body == 0 && pair.first == 1 &&
+            pair.second_body == 1 && pair.second == 0,
+        "vertex 1 of the bar and face 0 of the wall");
+  check(touchstone_bodies_free_step(handle, start, end, 14, NULL, poses, &length, &outcome, NULL) == TOUCHSTONE_OK,
+        "the free step of bodies");
+  check(outcome == TOUCHSTONE_STEP_SHORTENED && length > 0.2 && length <= result.toi, "it ends before the contact");
+  touchstone_body_contacts_destroy(first);
+  touchstone_bodies_destroy(handle);
+}
+
 static void error(void) {
   struct touchstone_answer answer;
   double start[12];
@@ -100,6 +148,7 @@ int main(void) {
   one_query();
   batch();
   mesh();
+  bodies();
   error();
   return failures == 0 ? 0 : 1;
 }

@@ -25,7 +25,7 @@ const LayerTable& layer_table() {
       {"rigid", {"mesh", "solver", "broad_phase", "filters", "threads", "geometry", "numbers"}},
       {"frames", {"io", "json", "mesh"}},
       {"dropin", {"solver"}},
-      {"c_api", {"solver", "mesh"}},
+      {"c_api", {"solver", "mesh", "rigid"}},
       {"python",
        {"solver", "exact", "certify", "fuzz", "mesh", "rigid", "proofs", "view", "io", "frames", "sequence", "threads",
         "geometry"}},

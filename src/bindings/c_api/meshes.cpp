@@ -14,11 +14,7 @@
 
 #include "c_api/answers.hpp"
 #include "c_api/guard.hpp"
-
-struct touchstone_mesh {
-  touchstone::Mesh mesh;
-  std::unique_ptr<touchstone::MeshSteps> steps = nullptr;  ///< or null where nothing is kept from call to call
-};
+#include "c_api/handles.hpp"
 
 struct touchstone_contacts {
   std::vector<touchstone::MeshContact> all;
@@ -49,21 +45,6 @@ static_assert(TOUCHSTONE_INSIDE == static_cast<int>(IntersectionSort::inside));
 constexpr std::size_t kFirstElementsSize =
     offsetof(touchstone_mesh_elements, only_listed_groups) + sizeof(touchstone_mesh_elements::only_listed_groups);
 
-/// `count` elements of N numbers each.
-template <std::size_t N>
-std::vector<std::array<MeshIndex, N>> indices(const std::uint32_t* first, std::size_t count, const char* name) {
-  array(first, count, N, name);
-  std::vector<std::array<MeshIndex, N>> elements(count);
-  for (std::size_t i = 0; i < count; ++i) std::copy_n(first + N * i, N, elements[i].begin());
-  return elements;
-}
-
-template <typename T>
-std::vector<T> values(const T* first, std::size_t count, const char* name) {
-  array(first, count, 1, name);
-  return first == nullptr ? std::vector<T>() : std::vector<T>(first, first + count);
-}
-
 MeshPair pair_of(const touchstone_mesh_pair& pair) { return {kind_of(pair.kind), pair.first, pair.second}; }
 
 MeshElements elements_of(const touchstone_mesh_elements& given) {
@@ -90,10 +71,7 @@ MeshElements elements_of(const touchstone_mesh_elements& given) {
   }
   rules.groups = values(given.groups, given.group_count, "groups");
   rules.group_pairs = indices<2>(given.group_pairs, given.group_pair_count, "group_pairs");
-  if (given.only_listed_groups != 0 && given.only_listed_groups != 1) {
-    throw InvalidArgument("only_listed_groups is " + std::to_string(given.only_listed_groups) + "; it must be 0 or 1");
-  }
-  rules.group_rule = given.only_listed_groups == 1 ? GroupRule::only_listed : GroupRule::all_but_listed;
+  rules.group_rule = group_rule_of(given.only_listed_groups);
   return elements;
 }
 
@@ -109,23 +87,12 @@ Positions positions_of(const Mesh& mesh, const double* first, std::size_t value_
   return {first, mesh.vertex_count(), mesh.dimension()};
 }
 
-/// @throws InvalidArgument  for another number than 0 and 1
-bool flag(int value, const char* name) {
-  if (value == 0 || value == 1) return value == 1;
-  throw InvalidArgument(std::string(name) + " is " + std::to_string(value) + "; it must be 0 or 1");
-}
-
 FirstContactOptions asked_of(const touchstone_options& options) {
   FirstContactOptions asked;
   asked.threads = options.threads;
   asked.t_max = options.t_max;
   asked.check_start = flag(options.check_start, "check_start");
   return asked;
-}
-
-/// Refuses a result that its macro did not initialise.
-void check_size(const touchstone_first_contact& result, const char* name) {
-  grown(result, result, sizeof result, name);
 }
 
 touchstone_first_contact c_first_contact(const FirstContact& found) {
@@ -137,23 +104,6 @@ touchstone_first_contact c_first_contact(const FirstContact& found) {
           found.start_intersections.size(),
           found.start_checked ? 1 : 0,
           0};
-}
-
-touchstone_contacts* contact_list(std::vector<MeshContact> contacts) {
-  return new touchstone_contacts{std::move(contacts)};
-}
-
-/// Refuses an index that is not below the count of a list.
-void check_index(std::size_t index, std::size_t count) {
-  if (index >= count) {
-    throw InvalidArgument("the index is " + std::to_string(index) + "; it must be less than " + std::to_string(count));
-  }
-}
-
-/// Makes the caller's handle null, for the case of an error.
-template <typename Handle>
-void clear(Handle** handle) {
-  if (handle != nullptr) *handle = nullptr;
 }
 
 }  // namespace
@@ -180,10 +130,7 @@ void touchstone_mesh_destroy(touchstone_mesh* mesh) { delete mesh; }
 int touchstone_mesh_keep(touchstone_mesh* mesh, int keep) {
   return guarded([&] {
     required(mesh, "mesh");
-    if (keep != 0 && keep != 1) {
-      throw InvalidArgument("keep is " + std::to_string(keep) + "; it must be 0 or 1");
-    }
-    mesh->steps = keep == 1 ? std::make_unique<MeshSteps>(mesh->mesh) : nullptr;
+    mesh->steps = flag(keep, "keep") ? std::make_unique<MeshSteps>(mesh->mesh) : nullptr;
   });
 }
 
@@ -214,11 +161,7 @@ int touchstone_mesh_first_contact(const touchstone_mesh* mesh, const double* x0,
     FirstContact contact = mesh->steps ? mesh->steps->first_contact(start, end, asked_of(options))
                                        : first_contact(of, start, end, asked_of(options));
     const touchstone_first_contact told = c_first_contact(contact);
-    std::unique_ptr<touchstone_contacts> first_list, start_list;
-    if (first != nullptr) first_list.reset(contact_list(std::move(contact.earliest)));
-    if (at_start != nullptr) start_list.reset(contact_list(std::move(contact.at_start)));
-    if (first != nullptr) *first = first_list.release();
-    if (at_start != nullptr) *at_start = start_list.release();
+    hand_over(contact.earliest, first, contact.at_start, at_start);
     *result = told;
   });
 }
@@ -232,8 +175,8 @@ int touchstone_mesh_all_contacts(const touchstone_mesh* mesh, const double* x0, 
     const touchstone_options options = options_of(given, kHasTMax);
     required(contacts, "contacts");
     const Positions start = positions_of(of, x0, value_count, "x0"), end = positions_of(of, x1, value_count, "x1");
-    *contacts = contact_list(mesh->steps ? mesh->steps->all_contacts(start, end, asked_of(options))
-                                         : all_contacts(of, start, end, asked_of(options)));
+    *contacts = new touchstone_contacts{mesh->steps ? mesh->steps->all_contacts(start, end, asked_of(options))
+                                                    : all_contacts(of, start, end, asked_of(options))};
   });
 }
 

@@ -1,0 +1,228 @@
+// Bodies by the C interface. Poses are rows of 7 doubles.
+// SPDX-License-Identifier: MIT
+#include <touchstone/bodies.hpp>
+
+#include <algorithm>
+#include <cstddef>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <touchstone/c.h>
+#include <touchstone/curved.hpp>
+
+#include "c_api/answers.hpp"
+#include "c_api/guard.hpp"
+#include "c_api/handles.hpp"
+
+struct touchstone_body {
+  touchstone::Body body;
+};
+
+struct touchstone_bodies {
+  touchstone::Bodies all;
+  touchstone::QuaternionOrder order;
+  touchstone::Turn turn;
+};
+
+struct touchstone_body_contacts {
+  std::vector<touchstone::BodyContact> all;
+};
+
+namespace touchstone::c_api {
+
+namespace {
+
+constexpr std::size_t kPoseValues = 7;
+
+QuaternionOrder order_of(int quaternion) {
+  switch (quaternion) {
+    case TOUCHSTONE_QUATERNION_WXYZ: return QuaternionOrder::wxyz;
+    case TOUCHSTONE_QUATERNION_XYZW: return QuaternionOrder::xyzw;
+    default:
+      throw InvalidArgument("quaternion is " + std::to_string(quaternion) +
+                            "; it must be TOUCHSTONE_QUATERNION_WXYZ (1) or TOUCHSTONE_QUATERNION_XYZW (2)");
+  }
+}
+
+touchstone_bodies bodies_of(const touchstone_bodies_elements& given) {
+  touchstone_bodies made{{}, order_of(given.quaternion), flag(given.turn, "turn") ? Turn::as_given : Turn::shorter};
+  array(given.bodies, given.body_count, 1, "bodies");
+  for (std::size_t i = 0; i < given.body_count; ++i) {
+    made.all.bodies.push_back(required(given.bodies[i], ("bodies[" + std::to_string(i) + "]").c_str()).body);
+  }
+  made.all.separation = {given.separation, metric_of(given.metric)};
+  BodyRules& rules = made.all.rules;
+  rules.body_pairs = indices<2>(given.excluded_bodies, given.excluded_body_count, "excluded_bodies");
+  rules.groups = values(given.groups, given.group_count, "groups");
+  rules.group_pairs = indices<2>(given.group_pairs, given.group_pair_count, "group_pairs");
+  rules.group_rule = group_rule_of(given.only_listed_groups);
+  return made;
+}
+
+/// The motions between two poses of each body.
+struct Motions {
+  std::vector<RigidMotion> all;
+  std::size_t turned = 0;  ///< as in touchstone_first_body_contact
+};
+
+Motions motions_of(const touchstone_bodies& bodies, const double* start, const double* end, std::size_t value_count) {
+  array(start, value_count, 1, "start");
+  array(end, value_count, 1, "end");
+  const std::size_t count = bodies.all.bodies.size();
+  if (value_count % kPoseValues != 0 || value_count / kPoseValues != count) {
+    throw InvalidArgument("the poses have " + std::to_string(value_count) + " values, and there are " +
+                          std::to_string(count) + " bodies with " + std::to_string(kPoseValues) + " values each");
+  }
+  const auto pose = [&](const double* at) {
+    return pose_of({at[0], at[1], at[2]}, {at[3], at[4], at[5], at[6]}, bodies.order);
+  };
+  Motions motions;
+  for (std::size_t i = 0; i < count; ++i) {
+    const Pose from = pose(start + kPoseValues * i), to = pose(end + kPoseValues * i);
+    motions.all.push_back(motion_between(from, to, bodies.turn));
+    motions.turned += motions.all.back().q1 == to.orientation ? 0 : 1;
+  }
+  return motions;
+}
+
+void write_poses(const touchstone_bodies& bodies, const std::vector<Pose>& poses, double* to) {
+  for (const Pose& pose : poses) {
+    const auto& [w, x, y, z] = pose.orientation;
+    const std::array<double, 4> last = {x, y, z, w};
+    const std::array<double, 4>& quaternion = bodies.order == QuaternionOrder::wxyz ? pose.orientation : last;
+    const Vec3& p = pose.position;
+    to = std::copy(quaternion.begin(), quaternion.end(), std::copy_n(std::array{p.x, p.y, p.z}.begin(), 3, to));
+  }
+}
+
+BodyStepOptions step_of(const touchstone_options& options) {
+  BodyStepOptions asked;
+  asked.threads = options.threads;
+  asked.t_max = options.t_max;
+  asked.check_start = flag(options.check_start, "check_start");
+  return asked;
+}
+
+touchstone_first_body_contact c_first_contact(const FirstBodyContact& found, std::size_t turned) {
+  return {sizeof(touchstone_first_body_contact),
+          found.contact ? 1 : 0,
+          found.free() ? 1 : 0,
+          found.toi,
+          found.toi_upper,
+          found.start_intersections.size(),
+          found.start_checked ? 1 : 0,
+          0,
+          found.in_open,
+          found.cancelled,
+          found.excluded,
+          turned};
+}
+
+}  // namespace
+
+}  // namespace touchstone::c_api
+
+using namespace touchstone;
+using namespace touchstone::c_api;
+
+extern "C" {
+
+int touchstone_body_create(const touchstone_mesh* mesh, const double* points, std::size_t value_count,
+                           touchstone_body** body) {
+  clear(body);
+  return guarded([&] {
+    required(body, "body");
+    const Mesh& of = required(mesh, "mesh").mesh;
+    array(points, value_count, 1, "points");
+    if (value_count != 3 * of.vertex_count()) {
+      throw InvalidArgument("points has " + std::to_string(value_count) + " values, and the mesh has " +
+                            std::to_string(of.vertex_count()) + " vertices with 3 coordinates each");
+    }
+    *body = new touchstone_body{Body(of, {points, of.vertex_count(), 3})};
+  });
+}
+
+void touchstone_body_destroy(touchstone_body* body) { delete body; }
+
+int touchstone_bodies_create(const touchstone_bodies_elements* elements, touchstone_bodies** bodies) {
+  clear(bodies);
+  return guarded([&] {
+    required(bodies, "bodies");
+    const touchstone_bodies_elements defaults = TOUCHSTONE_BODIES_ELEMENTS_INIT;
+    *bodies =
+        new touchstone_bodies(bodies_of(grown(required(elements, "elements"), defaults, sizeof defaults, "elements")));
+  });
+}
+
+void touchstone_bodies_destroy(touchstone_bodies* bodies) { delete bodies; }
+
+int touchstone_bodies_first_contact(const touchstone_bodies* bodies, const double* start, const double* end,
+                                    std::size_t value_count, const touchstone_options* given,
+                                    touchstone_first_body_contact* result, touchstone_body_contacts** first,
+                                    touchstone_body_contacts** at_start) {
+  clear(first);
+  clear(at_start);
+  return guarded([&] {
+    const touchstone_bodies& of = required(bodies, "bodies");
+    const touchstone_options options = options_of(given, kHasTMax | kHasCheckStart);
+    check_size(required(result, "result"), "result");
+    const Motions motions = motions_of(of, start, end, value_count);
+    FirstBodyContact contact = first_contact(of.all, motions.all, step_of(options));
+    const touchstone_first_body_contact told = c_first_contact(contact, motions.turned);
+    hand_over(contact.earliest, first, contact.at_start, at_start);
+    *result = told;
+  });
+}
+
+int touchstone_bodies_all_contacts(const touchstone_bodies* bodies, const double* start, const double* end,
+                                   std::size_t value_count, const touchstone_options* given,
+                                   touchstone_body_contacts** contacts) {
+  clear(contacts);
+  return guarded([&] {
+    const touchstone_bodies& of = required(bodies, "bodies");
+    const touchstone_options options = options_of(given, kHasTMax);
+    required(contacts, "contacts");
+    *contacts = new touchstone_body_contacts{
+        all_contacts(of.all, motions_of(of, start, end, value_count).all, step_of(options))};
+  });
+}
+
+int touchstone_bodies_free_step(const touchstone_bodies* bodies, const double* start, const double* end,
+                                std::size_t value_count, const touchstone_options* given, double* poses, double* length,
+                                int* outcome, touchstone_first_body_contact* contact) {
+  return guarded([&] {
+    const touchstone_bodies& of = required(bodies, "bodies");
+    const touchstone_options options = options_of(given, kHasCheckStart);
+    array(poses, value_count, 1, "poses");
+    if (contact != nullptr) check_size(*contact, "contact");
+    const Motions motions = motions_of(of, start, end, value_count);
+    const FreeBodyStep step = free_step(of.all, motions.all, step_of(options));
+    write_poses(of, step.poses, poses);
+    if (length != nullptr) *length = step.length;
+    if (outcome != nullptr) *outcome = static_cast<int>(step.outcome);
+    if (contact != nullptr) *contact = c_first_contact(step.first_contact, motions.turned);
+  });
+}
+
+std::size_t touchstone_body_contacts_count(const touchstone_body_contacts* contacts) {
+  return contacts == nullptr ? 0 : contacts->all.size();
+}
+
+int touchstone_body_contacts_get(const touchstone_body_contacts* contacts, std::size_t index,
+                                 touchstone_body_pair* pair, touchstone_answer* answer) {
+  return guarded([&] {
+    const auto& all = required(contacts, "contacts").all;
+    check_index(index, all.size());
+    const auto& [elements, separation, found] = all[index];
+    if (pair != nullptr) {
+      *pair = {static_cast<int>(elements.kind), elements.first.body, elements.first.element, elements.second.body,
+               elements.second.element};
+    }
+    if (answer != nullptr) *answer = c_answer(found);
+  });
+}
+
+void touchstone_body_contacts_destroy(touchstone_body_contacts* contacts) { delete contacts; }
+
+}  // extern "C"
