@@ -10,6 +10,23 @@
 
 namespace touchstone::view {
 
+std::vector<std::uint32_t> AnimationShape::edges_without_face() const {
+  std::vector<std::array<std::uint32_t, 2>> borders;
+  borders.reserve(3 * faces.size());
+  const auto sorted = [](std::uint32_t a, std::uint32_t b) {
+    return std::array<std::uint32_t, 2>{std::min(a, b), std::max(a, b)};
+  };
+  for (const auto& face : faces) {
+    for (std::size_t i = 0; i < 3; ++i) borders.push_back(sorted(face[i], face[(i + 1) % 3]));
+  }
+  std::sort(borders.begin(), borders.end());
+  std::vector<std::uint32_t> bare;
+  for (std::uint32_t i = 0; i < edges.size(); ++i) {
+    if (!std::binary_search(borders.begin(), borders.end(), sorted(edges[i][0], edges[i][1]))) bare.push_back(i);
+  }
+  return bare;
+}
+
 std::size_t AnimationShape::vertex_count() const noexcept {
   std::size_t count = 0;
   for (const AnimationGroup& group : groups) count += group.vertices;

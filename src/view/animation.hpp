@@ -37,6 +37,8 @@ struct AnimationShape {
   bool edges_have_numbers = true;           ///< false: edges are named by their corners
 
   std::size_t vertex_count() const noexcept;
+  /// The numbers of the edges that are no border of a face: cables and wires.
+  std::vector<std::uint32_t> edges_without_face() const;
 };
 
 /// The numbers count over all groups.

@@ -30,6 +30,10 @@ double drawn(double x) { return std::clamp(x, -kFarthest, kFarthest); }
 
 }  // namespace
 
+double LatticePositions::coordinate(std::size_t vertex, std::size_t axis) const noexcept {
+  return origin[axis] + std::ldexp(static_cast<double>(steps[3 * vertex + axis]), exponent);
+}
+
 LatticePositions on_lattice(const std::vector<double>& positions, int least_exponent) {
   LatticePositions result;
   std::array<double, 3> low, high;

@@ -15,6 +15,12 @@ struct LatticePositions {
   int exponent = 0;
   std::array<double, 3> origin{};
   std::vector<std::uint16_t> steps;
+
+  /// Of a vertex as it is drawn.
+  double coordinate(std::size_t vertex, std::size_t axis) const noexcept;
+  std::array<double, 3> position(std::size_t vertex) const noexcept {
+    return {coordinate(vertex, 0), coordinate(vertex, 1), coordinate(vertex, 2)};
+  }
 };
 
 /// @param positions  three finite coordinates for each vertex

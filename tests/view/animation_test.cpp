@@ -12,9 +12,11 @@
 #include "support/catch.hpp"
 #include "view/animation.hpp"
 #include "view/animation_view.hpp"
+#include "view/frame_svg.hpp"
 #include "view/lattice.hpp"
 #include "view/pages/animation_page.hpp"
 #include "view/pages/base64.hpp"
+#include "view/surfaces.hpp"
 
 using namespace touchstone::view;
 using touchstone::MeshElement;
@@ -180,7 +182,54 @@ TEST_CASE("names of an animation are text, and elements are named by their part"
   CHECK(text.find("&lt;script&gt;alert(1)") != std::string::npos);
   CHECK(text.find("<p>html</p>") != std::string::npos);
   // The still picture has the triangle, the edge and the mark.
-  CHECK(text.find("<circle class=\"meeting\"") != std::string::npos);
+  CHECK(text.find("<path class=\"m\"") != std::string::npos);
+  const std::string alone = moving_svg(animation, words.title);
+  CHECK(alone.find("<script>") == std::string::npos);
+}
+
+TEST_CASE("each surface and each named group has its hue, and what is at rest is pale") {
+  AnimationShape shape;
+  shape.groups = {{"", 9, 0, 2}, {"body", 4, 0, 0}};
+  shape.faces = {{0, 1, 2}, {3, 4, 5}};
+  shape.edges = {{6, 7}, {9, 10}, {11, 12}};
+  std::vector<double> start(39, 0), end(39, 0);
+  for (std::size_t v = 0; v < 13; ++v) start[3 * v] = end[3 * v] = static_cast<double>(v);
+  for (const std::size_t v : {4U, 6U, 8U, 9U}) end[3 * v + 2] = 1;
+  Animation animation(shape, {});
+  animation.add_frame(0, 0, start, {});
+  animation.add_frame(1, 1, end, {});
+  // Vertex 8 is in no element, and takes no hue.
+  CHECK(hues_of(animation) == std::vector<std::uint8_t>{0, 0, 0, 1, 1, 1, 2, 2, 0, 3, 3, 3, 3});
+  CHECK(shape.edges_without_face() == std::vector<std::uint32_t>{0, 1, 2});
+  Animation at_rest(shape, {});
+  at_rest.add_frame(0, 0, start, {});
+  CHECK(hues_of(at_rest) == std::vector<std::uint8_t>{1, 1, 1, 2, 2, 2, 3, 3, 0, 4, 4, 4, 4});
+}
+
+TEST_CASE("a moving picture shows each frame once, from back to front, and only so many") {
+  AnimationShape shape;
+  shape.groups = {{"", 6, 0, 2}};
+  shape.faces = {{3, 4, 5}, {0, 1, 2}};  // the second one is behind
+  Animation animation(shape, {});
+  for (std::uint64_t i = 0; i < 130; ++i) {
+    const auto t = static_cast<double>(i);
+    animation.add_frame(t, i, {-1, 0, 0, 1, 0, 0, 0, 0, 1, -1, -1, 0, 1, -1, 0, 0, -1, 1 + 0.01 * t}, {});
+  }
+  const std::string text = moving_svg(animation, "a & b");
+  std::size_t frames = 0;
+  for (std::size_t at = text.find("<g class=\"f"); at != std::string::npos; at = text.find("<g class=\"f", at + 1)) {
+    ++frames;
+  }
+  CHECK(frames == 33);  // every fourth of 130
+  CHECK(text.find("<title>a &amp; b</title>") != std::string::npos);
+  CHECK(text.find("class=\"f s\"") == text.rfind("class=\"f s\""));  // the still one
+  // Of each frame the face at y = 0 comes first: it moves not, and has the same text in all frames.
+  const auto first = text.find("<path fill"), second = text.find("<path fill", first + 1);
+  const std::string behind = text.substr(first, second - first);
+  CHECK(behind.find('Z') != std::string::npos);
+  std::size_t same = 0;
+  for (std::size_t at = text.find(behind); at != std::string::npos; at = text.find(behind, at + 1)) ++same;
+  CHECK(same == frames);
 }
 
 TEST_CASE("a picture in a plane is seen from above, and every first view is a rotation") {

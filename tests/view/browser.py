@@ -117,7 +117,9 @@ class Browser:
     def open(self, path):
         """Opens a file and waits until its scripts have run."""
         from urllib.parse import quote
-        url = "file://" + quote(os.path.abspath(path))
+        return self.open_address("file://" + quote(os.path.abspath(path)))
+
+    def open_address(self, url):
         self.command("Page.navigate", url=url)
         self.wait("document.readyState === 'complete' && location.href !== 'about:blank'")
         return url

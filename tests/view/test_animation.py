@@ -87,7 +87,11 @@ class Animations(pages.Pages):
 
     def test_scrubbing_moves_the_picture_the_plots_and_the_words(self):
         url = self.page_of(scene("fall"))
-        self.assertTrue(self.readout().startswith("step 0, 0 s."))
+        # It opens at the first contact. An edge falls 1 m in 0.45 s.
+        self.assertRegex(self.readout(), r"^step 4\d, 0\.4\d+ s\. Marks: .*\d+ contact")
+        self.page.evaluate("%s.focus()" % CANVAS)
+        self.page.key("Home")
+        self.assertTrue(self.readout().startswith("step 0, 0 s. Marks: none."))
         seen = {self.pixels()}
         left, top, width, height = self.box(".timeline input")
         self.page.click(left + width / 2, top + height / 2)
@@ -136,6 +140,7 @@ class Animations(pages.Pages):
 
     def test_a_click_tells_the_number_and_the_exact_coordinates(self):
         url = self.page_of(scene("fall"))
+        self.page.evaluate("%s.timeline.go(0)" % VIEWER)
         self.page.evaluate("%s.zoomTo(-1)" % VIEWER)
         corners = [self.place(v) for v in range(3)]
         middle = [sum(c[k] for c in corners) / 3 for k in (0, 1)]
@@ -156,6 +161,60 @@ class Animations(pages.Pages):
         self.page.key("Escape")
         self.assertTrue(self.page.evaluate("document.querySelector('.picked').hidden"))
         self.check_quiet(url)
+
+    def test_marks_are_shown_near_their_time_and_can_be_hidden(self):
+        url = self.page_of_frames([obj(1), obj(-1), obj(-2)])  # the tip is on the floor at t = 0.625
+        mark = "%s.marks.near(%s.frames, %s.s).length" % (VIEWER, VIEWER, VIEWER)
+        for time, count in ((0.5, 0), (0.55, 1), (0.625, 1), (0.7, 1), (0.75, 0), (1.5, 0)):
+            self.page.evaluate("%s.timeline.go(%r)" % (VIEWER, time))
+            self.assertEqual(self.page.evaluate(mark), count, time)
+        self.page.evaluate("%s.timeline.go(0.625)" % VIEWER)
+        shown = self.pixels()
+        self.page.evaluate("%s.focus()" % CANVAS)
+        self.page.key("x")
+        hidden = self.pixels()
+        self.page.key("x")
+        self.assertNotEqual(shown, hidden)
+        self.assertEqual(shown, self.pixels())
+        self.check_quiet(url)
+
+    def test_a_mark_behind_a_face_is_hidden(self):
+        self.page_of_frames([obj(1), obj(-1)])
+        count = lambda: self.page.evaluate("""(() => {
+          const from = %s, to = document.createElement('canvas');
+          to.width = from.width; to.height = from.height;
+          const context = to.getContext('2d');
+          context.drawImage(from, 0, 0);
+          const data = context.getImageData(0, 0, to.width, to.height).data, c = colourOf('--mark').map((x) => 255 * x);
+          let found = 0;
+          for (let i = 0; i < data.length; i += 4) {
+            found += Math.abs(data[i] - c[0]) + Math.abs(data[i + 1] - c[1]) + Math.abs(data[i + 2] - c[2]) < 30;
+          }
+          return found;
+        })()""" % CANVAS)
+        self.page.evaluate("%s.camera.turn(0, 0.8)" % VIEWER)
+        self.assertGreater(count(), 10)  # seen from above
+        self.page.evaluate("%s.whole()" % VIEWER)
+        self.page.evaluate("%s.marks.points[2] -= 0.5" % VIEWER)  # below the floor
+        self.page.evaluate("%s.camera.turn(0, 0.8)" % VIEWER)
+        self.assertEqual(count(), 0)
+
+    def test_the_address_keeps_the_view(self):
+        url = self.page_of_frames([obj(1), obj(-1)])
+        self.page.evaluate("%s.timeline.go(0.25)" % VIEWER)
+        self.page.evaluate("%s.zoomTo(1.5)" % VIEWER)
+        self.page.evaluate("%s.camera.turn(0.7, -0.4)" % VIEWER)
+        self.page.evaluate("%s.camera.turn(0.3, 0)" % VIEWER)
+        state = "[%s.s, %s.zoom, ...%s.camera.basis.flat()]" % (VIEWER, VIEWER, VIEWER)
+        before, address = self.page.evaluate(state), self.page.evaluate("location.href")
+        self.assertIn("#t=0.25", address)
+        self.page.command("Page.navigate", url="about:blank")
+        self.page.open_address(address)
+        for a, b in zip(before, self.page.evaluate(state)):
+            self.assertAlmostEqual(a, b, places=6)
+        self.page.command("Page.navigate", url="about:blank")
+        self.page.open_address(address.split("#")[0] + "#t=NaN&zoom=x&from=1,2,3")
+        self.assertRegex(self.readout(), r"^frame 1 .*t = 0\.625\. Marks: 1 contact")
 
     def test_names_are_text(self):
         url = self.page_of(scene(NAME))
@@ -200,7 +259,7 @@ class Animations(pages.Pages):
         self.assertTrue(headings[0].startswith("step 1 to 2, t = 0.75: vertex 4 of tent and face 1 (1-2-3) of floor"))
         self.assertTrue(any("pierces" in h for h in headings), headings)
         self.page.click_on("document.querySelector('.events button')")
-        self.assertRegex(self.readout(), r"^frame 2 \(frame-2\.obj\), t = 1\.75\. Marks: 1 contact, \d intersection")
+        self.assertRegex(self.readout(), r"^frame 2 \(frame-2\.obj\), t = 1\.75\. Marks: 1 contact\.$")
         told = self.text(".picked")
         for part in ("vertex 4 and face 1", "0x1.8p-1", "The coplanarity cubic V(t)",
                      "start v: 0x0p+0 0x0p+0 0x1.8p-1"):

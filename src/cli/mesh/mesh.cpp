@@ -16,6 +16,7 @@
 #include "cli/mesh/frame_source.hpp"
 #include "cli/mesh/mesh_animation.hpp"
 #include "cli/mesh/output.hpp"
+#include "cli/shared/animation_file.hpp"
 #include "cli/shared/command_line/common_options.hpp"
 #include "cli/shared/command_line/mesh_file_options.hpp"
 #include "cli/shared/progress/interrupt.hpp"
@@ -322,8 +323,7 @@ int run_mesh(const MeshRunOptions& options) {
     const std::uint64_t size =
         animation->write(*page, question_for_person(question, separation), output.counts_summary());
     page->commit();
-    summary +=
-        fmt::format("animation in {}, {} bytes: open it in a browser\n", io::printable(options.html), grouped(size));
+    summary += animation_summary(options.html, size);
   }
   if (options.json) {
     print_error(summary);

@@ -11,12 +11,12 @@
 #include <touchstone/error.hpp>
 #include <touchstone/solve.hpp>
 
+#include "cli/shared/animation_file.hpp"
 #include "cli/shared/exact_corners.hpp"
 #include "cli/shared/mesh_results.hpp"
 #include "exact/exact.hpp"
 #include "sequence/checks.hpp"
 #include "sequence/element_names.hpp"
-#include "view/pages/animation_page.hpp"
 #include "view/pages/html.hpp"
 #include "view/pages/story_html.hpp"
 #include "view/touched_point.hpp"
@@ -207,7 +207,7 @@ std::uint64_t MeshAnimation::write(io::OutputFile& file, const std::string& ques
       "Filled marks are the pairs whose contact begins first in a step, or that are in contact at its start; crosses "
       "are intersections.",
       "intersection"};
-  return view::write_animation_page(animation_, words, [&](std::string_view bytes) { file.write(bytes); });
+  return write_animation(animation_, words, file);
 }
 
 }  // namespace touchstone::cli

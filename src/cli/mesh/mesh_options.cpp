@@ -144,12 +144,7 @@ void add_mesh(CLI::App& program, Command& command) {
       ->add_option("--queries", options->queries,
                    "Write the pairs in contact as FOLDER/KIND/contacts.csv, query files for explain and certify")
       ->type_name("FOLDER");
-  subcommand
-      ->add_option(
-          "--html", options->html,
-          "Write a page with the animation, its contacts and its intersections. It is one file, for any browser")
-      ->type_name("PAGE.html")
-      ->check(named_as(Output::page));
+  add_animation_option(*subcommand, options->html, "its contacts and its intersections");
   subcommand
       ->add_option("--prove", options->prove,
                    "Write the frames' positions as FOLDER/motion.txt and a proof for each pair of each step as "

@@ -7,6 +7,7 @@
 
 #include <touchstone/error.hpp>
 
+#include "cli/shared/animation_file.hpp"
 #include "cli/shared/progress/interrupt.hpp"
 #include "cli/shared/words.hpp"
 #include "cli/simulate/paths.hpp"
@@ -273,8 +274,7 @@ std::string SimulateOutput::proofs_summary() const {
 
 std::string SimulateOutput::page_summary() const {
   if (page_size_ == 0) return {};
-  return fmt::format("animation in {}, {} bytes: open it in a browser\n", io::printable(options_->html),
-                     grouped(page_size_));
+  return animation_summary(options_->html, page_size_);
 }
 
 std::string SimulateOutput::draw() {

@@ -60,11 +60,7 @@ void add_simulate(CLI::App& program, Command& command) {
       ->add_option("--frame-every", options->frame_every, "The number of steps from one frame to the next (default: 2)")
       ->type_name("N")
       ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{1'000'000'000}));
-  subcommand
-      ->add_option("--html", options->html,
-                   "Write a page with the animation, its contacts and its energies. It is one file, for any browser")
-      ->type_name("PAGE.html")
-      ->check(named_as(Output::page));
+  add_animation_option(*subcommand, options->html, "its contacts and its energies");
   subcommand->add_option("--proof", options->proof, "Write a table (CSV) with the proof of each step")
       ->type_name("FILE")
       ->check(named_as(Output::csv));

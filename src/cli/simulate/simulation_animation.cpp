@@ -6,11 +6,11 @@
 #include <utility>
 #include <variant>
 
+#include "cli/shared/animation_file.hpp"
 #include "cli/shared/exact_corners.hpp"
 #include "exact/exact.hpp"
 #include "geometry/kind_traits.hpp"
 #include "sim/output_text.hpp"
-#include "view/pages/animation_page.hpp"
 #include "view/pages/story_html.hpp"
 
 namespace touchstone::cli {
@@ -188,7 +188,7 @@ std::uint64_t SimulationAnimation::write(io::OutputFile& file, const std::string
       "Between frames the picture moves straight.",
       "Filled marks are pairs that would have touched if nothing had answered them, rings are pairs closer than the "
       "thickness, crosses are crossings."};
-  return view::write_animation_page(animation_, words, [&](std::string_view bytes) { file.write(bytes); });
+  return write_animation(animation_, words, file);
 }
 
 }  // namespace touchstone::cli

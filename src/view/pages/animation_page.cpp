@@ -8,7 +8,9 @@
 #include <type_traits>
 
 #include "view/animation_view.hpp"
+#include "view/frame_svg.hpp"
 #include "view/pages/base64.hpp"
+#include "view/surfaces.hpp"
 
 namespace touchstone::view {
 namespace {
@@ -28,25 +30,6 @@ void write_numbers(const Sink& sink, const std::string& id, const Number* number
 template <class Number>
 void write_numbers(const Sink& sink, const std::string& id, const std::vector<Number>& numbers) {
   write_numbers(sink, id, numbers.data(), numbers.size());
-}
-
-/// The edges that are borders of faces are drawn thin.
-std::vector<std::uint8_t> edges_without_face(const AnimationShape& shape) {
-  std::vector<std::array<std::uint32_t, 2>> borders;
-  borders.reserve(3 * shape.faces.size());
-  const auto sorted = [](std::uint32_t a, std::uint32_t b) {
-    return std::array<std::uint32_t, 2>{std::min(a, b), std::max(a, b)};
-  };
-  for (const auto& face : shape.faces) {
-    for (std::size_t i = 0; i < 3; ++i) borders.push_back(sorted(face[i], face[(i + 1) % 3]));
-  }
-  std::sort(borders.begin(), borders.end());
-  std::vector<std::uint8_t> bare;
-  bare.reserve(shape.edges.size());
-  for (const auto& edge : shape.edges) {
-    bare.push_back(std::binary_search(borders.begin(), borders.end(), sorted(edge[0], edge[1])) ? 0 : 1);
-  }
-  return bare;
 }
 
 const char* sort_name(MarkSort sort) {
@@ -71,6 +54,7 @@ nlohmann::json data_of(const Animation& animation, const AnimationWords& words, 
   data["reach"] = view.reach;
   data["planar"] = view.planar;
   data["basis"] = view.basis;
+  data["hues"] = kHues;
   data["exact"] = animation.has_exact();
   data["vertices"] = animation.shape().vertex_count();
   data["parts"] = nlohmann::json::array();
@@ -162,7 +146,8 @@ void write_data(const Animation& animation, const Sink& sink) {
   };
   write_numbers(sink, "faces", flat(shape.faces));
   write_numbers(sink, "edges", flat(shape.edges));
-  write_numbers(sink, "bare", edges_without_face(shape));
+  write_numbers(sink, "bare", shape.edges_without_face());
+  write_numbers(sink, "hues", hues_of(animation));
   write_numbers(sink, "points", shape.points);
   write_numbers(sink, "face-numbers", shape.face_numbers);
   std::vector<std::uint32_t> pairs;

@@ -17,6 +17,7 @@
 #include <touchstone/error.hpp>
 
 #include "cli/shared/command_line/kind_check.hpp"
+#include "cli/shared/command_line/output_names.hpp"
 #include "cli/shared/command_line/turns.hpp"
 #include "cli/shared/words.hpp"
 #include "geometry/kind_aliases.hpp"
@@ -68,6 +69,16 @@ void add_seed_option(CLI::App& subcommand, std::uint64_t& seed) {
 }
 
 std::string not_empty(const std::string& name) { return name.empty() ? "the name is empty" : std::string(); }
+
+void add_animation_option(CLI::App& subcommand, std::string& file, const std::string& contents) {
+  subcommand
+      .add_option("--html,--svg", file,
+                  "Write a page with the animation, " + contents +
+                      ". It is one file, for any browser. A name that ends in .svg: a moving picture alone, for slides "
+                      "or a README")
+      ->type_name("PAGE.html")
+      ->check(named_as(Output::animation));
+}
 
 std::string check_whole_number(const std::string& text, std::uint64_t least, std::uint64_t most) {
   const bool number = !text.empty() && text.size() < 19 && text.find_first_not_of("0123456789") == std::string::npos;

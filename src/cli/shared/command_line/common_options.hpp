@@ -47,6 +47,10 @@ std::string check_whole_number(const std::string& text, std::uint64_t least = 0,
 /// The same for a file's name, which must not be empty.
 std::string not_empty(const std::string& name);
 
+/// --html and --svg, two names of one option: the ending of the file says what is written.
+/// @param contents  what the page has: "its contacts and its energies"
+void add_animation_option(CLI::App& subcommand, std::string& file, const std::string& contents);
+
 /// @throws FileError when writing to `output` (an empty name or "-": none) would destroy one of `inputs`; its message
 /// ends with `advice`
 void refuse_to_overwrite(const std::string& output, const std::vector<std::string>& inputs,

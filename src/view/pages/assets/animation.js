@@ -24,7 +24,40 @@ class AnimationViewer {
     new ResizeObserver(() => this.draw()).observe(this.node);
     matchMedia('(prefers-color-scheme: dark)').addEventListener('change', () => this.draw());
     this.timeline.range(data.times[0], data.times[data.times.length - 1]);
-    this.timeline.go(data.times[0]);
+    this.open();
+  }
+
+  /** The page opens where its address says, or else at the first contact or crossing. */
+  open() {
+    const {data, marks} = this, state = new URLSearchParams(location.hash.slice(1));
+    const number = (name, otherwise) => {
+      const x = state.has(name) ? Number(state.get(name)) : NaN;
+      return Number.isFinite(x) ? x : otherwise;
+    };
+    const found = ['contact', 'crossing'].map((sort) => marks.firstTime(sort)).filter((s) => s !== undefined);
+    const [low, high] = [data.times[0], data.times[data.times.length - 1]];
+    this.zoomTo(number('zoom', 0));
+    this.camera.face((state.get('from') || '').split(',').map(Number));
+    this.timeline.go(Math.max(low, Math.min(high, number('t', found.length > 0 ? Math.min(...found) : low))));
+    this.opened = true;
+  }
+
+  /** The address of the page as it is seen now. */
+  keepState() {
+    const round = (x) => String(Number(x.toPrecision(9))), {basis} = this.camera;
+    const state = {t: round(this.s), zoom: round(this.zoom), from: [...basis[0], ...basis[2]].map(round).join()};
+    history.replaceState(null, '', '#' + new URLSearchParams(state));
+  }
+
+  save() {
+    this.draw();
+    const paper = element('canvas', {width: this.node.width, height: this.node.height});
+    const context = paper.getContext('2d');
+    context.fillStyle = getComputedStyle(document.body).backgroundColor;
+    context.fillRect(0, 0, paper.width, paper.height);
+    context.drawImage(this.node, 0, 0);
+    element('a', {href: paper.toDataURL('image/png'), download: document.title.replace(/[^\w.-]+/g, '-') + '.png'})
+        .click();
   }
 
   build(parent) {
@@ -41,9 +74,17 @@ class AnimationViewer {
     this.timeline = new Timeline(this.controls, this.chips(), (s) => this.goTo(s), this.ticks());
     const button = (text, title, action) => element('button', {type: 'button', title, onclick: action}, text);
     this.readout = element('span', {class: 'readout', 'aria-live': 'polite'});
+    this.marksButton = button('Marks', 'Shows marks or hides them, key x', () => this.switchMarks());
+    this.marksButton.setAttribute('aria-pressed', 'true');
     this.controls.append(element(
         'div', {class: 'row'}, this.readout, button('\u2212', 'Zoom out, key \u2212', () => this.zoomTo(this.zoom - 1)),
-        button('+', 'Zoom in, key +', () => this.zoomTo(this.zoom + 1)), button('Whole', 'Key 0', () => this.whole())));
+        button('+', 'Zoom in, key +', () => this.zoomTo(this.zoom + 1)), button('Whole', 'Key 0', () => this.whole()),
+        this.marksButton, button('Save', 'A picture of what is seen, as PNG; key s', () => this.save())));
+  }
+
+  switchMarks() {
+    this.marksButton.setAttribute('aria-pressed', String(this.marksButton.getAttribute('aria-pressed') !== 'true'));
+    this.draw();
   }
 
   /** The word for a sort of marks. */
@@ -53,8 +94,8 @@ class AnimationViewer {
   chips() {
     const times = this.data.times, chips = [{s: times[0], sort: 'start', text: 'start'}];
     const first = (sort) => {
-      const i = this.marks.sorts.indexOf(kMarkSorts.indexOf(sort));
-      if (i >= 0) chips.push({s: this.marks.times[i], sort, text: `first ${this.word(sort)}`});
+      const s = this.marks.firstTime(sort);
+      if (s !== undefined) chips.push({s, sort, text: `first ${this.word(sort)}`});
     };
     first('contact');
     first('crossing');
@@ -165,6 +206,8 @@ class AnimationViewer {
       '0': () => this.whole(),
       '[': () => this.timeline.jump(-1),
       ']': () => this.timeline.jump(1),
+      's': () => this.save(),
+      'x': () => this.switchMarks(),
       'Enter': () => this.pick(0, 0),
       'Escape': () => {
         this.choose([]);
@@ -202,7 +245,7 @@ class AnimationViewer {
   draw() {
     if (!this.mesh || !this.canvas.resize()) return;
     const view = this.view(), now = this.frames.around(this.s), frame = this.frames.ending(this.s);
-    const names = {cloth: '--cloth', ink: '--ink', a: '--a', b: '--b', mark: '--mark', paper: '--paper'};
+    const names = {ink: '--ink', a: '--a', b: '--b', mark: '--mark', paper: '--paper'};
     const colours = Object.fromEntries(Object.entries(names).map(([key, name]) => [key, colourOf(name)]));
     const place = (p) =>
         added(this.camera.seen(p.map((x, k) => (x - view.centre[k]) * view.pixels)), [view.pan[0], view.pan[1], 0]);
@@ -218,15 +261,19 @@ class AnimationViewer {
         this.canvas.dot(p, 5, colour, 1, 0.31);
       });
     });
-    drawMarks(this.canvas, this.marks, this.marks.byFrame[frame], place, colours);
+    const list = this.marks.near(this.frames, this.s);
+    if (this.marksButton.getAttribute('aria-pressed') === 'true') {
+      drawMarks(this.canvas, this.marks, list, place, colours);
+    }
     this.canvas.end(false);
     this.plots.show(this.s, frame);
     this.panel.markStories(frame);
-    this.say(frame);
+    this.say(frame, list);
+    if (this.opened) this.keepState();
   }
 
-  say(frame) {
-    const {data, marks} = this, list = marks.byFrame[frame];
+  say(frame, list) {
+    const {data, marks} = this;
     const counts = ['close', 'contact', 'crossing'].map((sort) => {
       const number = kMarkSorts.indexOf(sort);
       return [list.filter((i) => marks.sorts[i] === number).length, sort];

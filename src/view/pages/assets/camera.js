@@ -69,6 +69,14 @@ class Camera {
     this.changed();
   }
 
+  /** Turns to the directions of the screen's right and of the reader: six numbers, or nothing that is used. */
+  face(numbers) {
+    if (this.flat || numbers.length !== 6 || !numbers.every((x) => Math.abs(x) <= 1)) return;
+    const right = numbers.slice(0, 3), towards = numbers.slice(3), up = cross(towards, right);
+    if (Math.hypot(...up) < 0.5) return;
+    this.basis = [unit(cross(up, towards)), unit(up), unit(towards)];
+  }
+
   /** A vector in pixels, turned into the screen's axes. */
   seen(p) { return [dot(p, this.basis[0]), dot(p, this.basis[1]), dot(p, this.basis[2])]; }
 }

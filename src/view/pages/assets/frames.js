@@ -84,11 +84,8 @@ class Elements {
     this.edges = new Uint32Array(bytesOf('edges'));
     this.points = new Uint32Array(bytesOf('points'));
     this.faceNumbers = new Uint32Array(bytesOf('face-numbers'));
-    const bare = new Uint8Array(bytesOf('bare'));
-    this.bareEdges = [];
-    bare.forEach((is, i) => {
-      if (is) this.bareEdges.push(i);
-    });
+    this.bareEdges = Array.from(new Uint32Array(bytesOf('bare')));
+    this.hues = new Uint8Array(bytesOf('hues'));
   }
 
   corners({sort, number}) {

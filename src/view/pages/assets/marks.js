@@ -23,6 +23,22 @@ class Marks {
         (at) => ({sort: kElementSorts[this.elements[4 * pair + at]], number: this.elements[4 * pair + at + 1]}));
   }
 
+  firstTime(sort) {
+    const number = kMarkSorts.indexOf(sort);
+    return this.times.reduce((least, s, i) => this.sorts[i] === number && !(s >= least) ? s : least, undefined);
+  }
+
+  /**
+   * The marks to show at a time: at a frame those since the frame before, in between those within a tenth of the step.
+   */
+  near(frames, time) {
+    const {frame, fraction} = frames.around(time);
+    const list = this.byFrame[frames.ending(time)];
+    if (fraction === 0) return list;
+    const reach = (frames.times[frame + 1] - frames.times[frame]) / 10;
+    return list.filter((i) => Math.abs(this.times[i] - time) <= reach);
+  }
+
   point(i) { return Array.from(this.points.subarray(3 * i, 3 * i + 3)); }
 
   sort(i) { return kMarkSorts[this.sorts[i]]; }
@@ -51,17 +67,19 @@ class Marks {
 
 /** Draws marks over the picture. place: the pixels of a point. */
 function drawMarks(canvas, marks, list, place, colours) {
-  const most = 3000, front = 0.4;
+  const most = 3000, front = 0.003;  // faces before a mark hide it
   list.slice(0, most).forEach((i) => {
     const p = place(marks.point(i)), sort = marks.sort(i);
     if (sort === 'crossing') {
       const r = 8;
-      canvas.line([p[0] - r, p[1] - r, p[2]], [p[0] + r, p[1] + r, p[2]], 3, colours.b, 1, front + 0.02);
-      canvas.line([p[0] - r, p[1] + r, p[2]], [p[0] + r, p[1] - r, p[2]], 3, colours.b, 1, front + 0.02);
+      for (const [width, colour, lift] of [[6, colours.paper, 0], [3, colours.b, 0.0004]]) {
+        canvas.line([p[0] - r, p[1] - r, p[2]], [p[0] + r, p[1] + r, p[2]], width, colour, 1, front + lift);
+        canvas.line([p[0] - r, p[1] + r, p[2]], [p[0] + r, p[1] - r, p[2]], width, colour, 1, front + lift);
+      }
     } else {
       canvas.dot(p, sort === 'contact' ? 5 : 4, colours.paper, 1, front);
-      canvas.dot(p, sort === 'contact' ? 4 : 3, colours.mark, 1, front + 0.002);
-      if (sort === 'close') canvas.dot(p, 1.6, colours.paper, 1, front + 0.004);
+      canvas.dot(p, sort === 'contact' ? 4 : 3, colours.mark, 1, front + 0.0002);
+      if (sort === 'close') canvas.dot(p, 1.6, colours.paper, 1, front + 0.0004);
     }
   });
 }

@@ -10,6 +10,9 @@ uniform float fraction;
 uniform mat3 turn;
 uniform vec3 move;
 uniform vec2 size;
+uniform mediump usampler2D hues;
+uniform vec3 palette[8];
+vec3 hue(uint vertex) { return palette[texelFetch(hues, ivec2(int(vertex) % 2048, int(vertex) / 2048), 0).x]; }
 vec3 seen(uint vertex) {
   ivec2 at = ivec2(int(vertex) % 2048, int(vertex) / 2048);
   vec3 a = vec3(texelFetch(before, at, 0).xyz) * spacing_before + origin_before;
@@ -24,20 +27,23 @@ precision highp float;
 ${kPlace}
 in uint vertex;
 out vec3 at;
+flat out vec3 tint;
 void main() {
   at = seen(vertex);
+  tint = hue(vertex);
   gl_Position = clipped(at);
 }`;
 
 const kFaceFragment = `#version 300 es
 precision highp float;
 in vec3 at;
-uniform vec3 tint;
+flat in vec3 tint;
 out vec4 colour;
 void main() {
   vec3 normal = cross(dFdx(at), dFdy(at));
-  float facing = abs(normal.z) / max(length(normal), 1e-20);
-  colour = vec4(tint * (0.45 + 0.55 * facing), 1.0);
+  normal *= (normal.z < 0.0 ? -1.0 : 1.0) / max(length(normal), 1e-20);
+  float light = max(0.0, dot(normal, vec3(-0.3, 0.5, 0.81)));  // from above, as in view/frame_svg.cpp
+  colour = vec4(tint * min(1.0, 0.45 + 0.55 * light), 1.0);
 }`;
 
 // One instance an edge or point; a point is an edge of one vertex.
@@ -45,8 +51,10 @@ const kEdgeVertex = `#version 300 es
 precision highp float;
 ${kPlace}
 in uvec2 edge;
-uniform float width, lift;
+uniform float width, lift, own;
 out vec2 rim;
+out vec3 shade;
+uniform vec3 ink;
 void main() {
   vec3 a = seen(edge.x), b = seen(edge.y);
   vec2 along = b.xy - a.xy;
@@ -57,14 +65,16 @@ void main() {
   p.xy += (across * side + along * (end * 2.0 - 1.0)) * width * 0.5;
   p.z += lift;
   rim = vec2(0.0, side);
+  shade = mix(ink, 0.8 * hue(edge.x), own);
   gl_Position = clipped(p);
 }`;
 
 const kEdgeFragment = `#version 300 es
 precision highp float;
-uniform vec4 tint;
+in vec3 shade;
+uniform float alpha;
 out vec4 colour;
-void main() { colour = vec4(tint.rgb * tint.a, tint.a); }`;
+void main() { colour = vec4(shade * alpha, alpha); }`;
 
 class MeshCanvas {
   /** Draws into the context of a canvas for shapes. */
@@ -75,8 +85,10 @@ class MeshCanvas {
     this.data = data;
     this.facesProgram = programOf(gl, kFaceVertex, kFaceFragment);
     this.edgesProgram = programOf(gl, kEdgeVertex, kEdgeFragment);
-    this.textures = [this.texture(), this.texture()];
+    this.textures = [this.texture(gl.RGB16UI), this.texture(gl.RGB16UI)];
     this.inTexture = [-1, -1];
+    this.hues = this.texture(gl.R8UI);
+    this.send(elements.hues, 1, gl.RED_INTEGER, gl.UNSIGNED_BYTE);
     this.faceArray = this.facesOf();
     const edges = (numbers) => numbers.flatMap((i) => [elements.edges[2 * i], elements.edges[2 * i + 1]]);
     this.bare = this.edgesOf(edges(elements.bareEdges));
@@ -88,12 +100,12 @@ class MeshCanvas {
     this.points = this.edgesOf(Array.from(elements.points).flatMap((i) => [i, i]));
   }
 
-  texture() {
+  texture(format) {
     const gl = this.gl, texture = gl.createTexture();
     const height = Math.max(1, Math.ceil(this.data.vertices / kTextureWidth));
     if (height > gl.getParameter(gl.MAX_TEXTURE_SIZE)) throw new Error('too many vertices for this browser');
     gl.bindTexture(gl.TEXTURE_2D, texture);
-    gl.texStorage2D(gl.TEXTURE_2D, 1, gl.RGB16UI, kTextureWidth, height);
+    gl.texStorage2D(gl.TEXTURE_2D, 1, format, kTextureWidth, height);
     gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MIN_FILTER, gl.NEAREST);
     gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MAG_FILTER, gl.NEAREST);
     return texture;
@@ -104,18 +116,22 @@ class MeshCanvas {
     const known = this.inTexture.indexOf(i);
     if (known >= 0) return known;
     const slot = this.inTexture[0] === other ? 1 : 0;
-    const gl = this.gl, steps = frames.at(i).steps, row = 3 * kTextureWidth;
-    const rows = Math.floor(steps.length / row);
+    const gl = this.gl;
     gl.bindTexture(gl.TEXTURE_2D, this.textures[slot]);
-    gl.pixelStorei(gl.UNPACK_ALIGNMENT, 1);
-    const send = (y, width, height, from) => gl.texSubImage2D(
-        gl.TEXTURE_2D, 0, 0, y, width, height, gl.RGB_INTEGER, gl.UNSIGNED_SHORT,
-        steps.subarray(from, from + 3 * width * height));
-    if (rows > 0) send(0, kTextureWidth, rows, 0);
-    const rest = (steps.length - rows * row) / 3;
-    if (rest > 0) send(rows, rest, 1, rows * row);
+    this.send(frames.at(i).steps, 3, gl.RGB_INTEGER, gl.UNSIGNED_SHORT);
     this.inTexture[slot] = i;
     return slot;
+  }
+
+  /** Puts the numbers of all vertices into the bound texture. */
+  send(numbers, channels, format, type) {
+    const gl = this.gl, row = channels * kTextureWidth, rows = Math.floor(numbers.length / row);
+    gl.pixelStorei(gl.UNPACK_ALIGNMENT, 1);
+    const put = (y, width, height, from) => gl.texSubImage2D(
+        gl.TEXTURE_2D, 0, 0, y, width, height, format, type, numbers.subarray(from, from + channels * width * height));
+    if (rows > 0) put(0, kTextureWidth, rows, 0);
+    const rest = (numbers.length - rows * row) / channels;
+    if (rest > 0) put(rows, rest, 1, rows * row);
   }
 
   facesOf() {
@@ -142,7 +158,7 @@ class MeshCanvas {
     return {array, count: corners.length / 2};
   }
 
-  /** view: pixels (a unit of length), centre, basis, pan. colours: cloth, ink, soft. */
+  /** view: pixels (a unit of length), centre, basis, pan. colours: ink. */
   draw(frames, {frame, fraction}, view, colours) {
     const gl = this.gl, next = fraction > 0 ? frame + 1 : frame;
     const before = this.load(frame, next, frames), after = this.load(next, frame, frames);
@@ -165,6 +181,10 @@ class MeshCanvas {
         gl.uniform3f(at('spacing_' + name), spacing, spacing, spacing);
         gl.uniform3fv(at('origin_' + name), f.origin.map((x, k) => (x - view.centre[k]) * view.pixels));
       });
+      gl.activeTexture(gl.TEXTURE2);
+      gl.bindTexture(gl.TEXTURE_2D, this.hues);
+      gl.uniform1i(at('hues'), 2);
+      gl.uniform3fv(at('palette'), this.data.hues.flat().map((x) => x / 255));
       gl.activeTexture(gl.TEXTURE0);
       gl.uniform1f(at('fraction'), fraction);
       gl.uniformMatrix3fv(at('turn'), true, view.basis.flat());
@@ -172,26 +192,22 @@ class MeshCanvas {
       gl.uniform2f(at('size'), this.shapes.width, this.shapes.height);
       return at;
     };
-    let at = use(this.facesProgram);
+    use(this.facesProgram);
     gl.bindVertexArray(this.faceArray);
-    let first = 0;
-    this.data.parts.forEach((part, i) => {
-      // Neighbouring bodies differ in brightness.
-      gl.uniform3fv(at('tint'), colours.cloth.map((x) => Math.min(1, x * [1, 1.18, 0.82][i % 3])));
-      if (part.faces > 0) gl.drawArrays(gl.TRIANGLES, 3 * first, 3 * part.faces);
-      first += part.faces;
-    });
-    at = use(this.edgesProgram);
-    const lines = ({array, count}, width, lift, colour, alpha) => {
+    if (this.elements.faces.length > 0) gl.drawArrays(gl.TRIANGLES, 0, this.elements.faces.length);
+    const at = use(this.edgesProgram);
+    gl.uniform3fv(at('ink'), colours.ink);
+    const lines = ({array, count}, width, lift, own, alpha) => {
       if (count === 0) return;
       gl.bindVertexArray(array);
       gl.uniform1f(at('width'), width);
       gl.uniform1f(at('lift'), lift);
-      gl.uniform4f(at('tint'), ...colour, alpha);
+      gl.uniform1f(at('own'), own);
+      gl.uniform1f(at('alpha'), alpha);
       gl.drawArraysInstanced(gl.TRIANGLE_STRIP, 0, 4, count);
     };
-    lines(this.borders, 1, 2, colours.ink, 0.25);
-    lines(this.bare, 2, 3, colours.ink, 0.9);
-    lines(this.points, 5, 3, colours.ink, 0.9);
+    lines(this.borders, 1, 2, 0, 0.15);
+    lines(this.bare, 3, 3, 1, 1);
+    lines(this.points, 6, 3, 1, 1);
   }
 }

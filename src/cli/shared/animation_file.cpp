@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+#include "cli/shared/animation_file.hpp"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+
+#include "cli/shared/words.hpp"
+#include "io/answers/claim_columns.hpp"
+#include "io/characters.hpp"
+#include "view/frame_svg.hpp"
+
+namespace touchstone::cli {
+
+std::uint64_t write_animation(const view::Animation& animation, const view::AnimationWords& words,
+                              io::OutputFile& file) {
+  if (io::in_lower_case(std::filesystem::path(file.name()).extension().string()) == ".svg") {
+    const std::string text = view::moving_svg(animation, words.title + ": " + words.subtitle);
+    file.write(text);
+    return text.size();
+  }
+  return view::write_animation_page(animation, words, [&](std::string_view bytes) { file.write(bytes); });
+}
+
+std::string animation_summary(const std::string& file, std::uint64_t bytes) {
+  return fmt::format("animation in {}, {} bytes: open it in a browser\n", io::printable(file), grouped(bytes));
+}
+
+}  // namespace touchstone::cli
