@@ -61,25 +61,31 @@ class Painter {
     // A line or a dot lies before the faces that it is in.
     for (std::size_t i = 0; i < bare_.size(); i += every(bare_.size())) {
       const auto& [a, b] = shape.edges[bare_[i]];
-      const Colour colour = lit(kHues[hues_[a]], 0.8);
-      all.push_back({std::max(seen_[a][2], seen_[b][2]), fmt::format("<path class=\"l\" stroke=\"{}\" d=\"M{}L{}\"/>\n",
-                                                                     name(colour), on_page(a), on_page(b))});
+      all.push_back({std::max(seen_[a][2], seen_[b][2]),
+                     fmt::format("class=\"l\" stroke=\"{}\"", name(lit(kHues[hues_[a]], 0.8))), path_of(a, b)});
     }
     for (std::size_t i = 0; i < shape.points.size(); i += every(shape.points.size())) {
       const std::uint32_t v = shape.points[i];
-      all.push_back({seen_[v][2], fmt::format("<path class=\"p\" stroke=\"{}\" d=\"M{}h0\"/>\n",
-                                              name(lit(kHues[hues_[v]], 0.8)), on_page(v))});
+      all.push_back(
+          {seen_[v][2], fmt::format("class=\"p\" stroke=\"{}\"", name(lit(kHues[hues_[v]], 0.8))), path_of(v, v)});
     }
     std::stable_sort(all.begin(), all.end(), [](const Drawn& a, const Drawn& b) { return a.height < b.height; });
+    // Neighbours that look alike are one path.
     std::string text;
-    for (const Drawn& one : all) text += one.text;
+    const std::string* look = nullptr;
+    for (const Drawn& one : all) {
+      if (look == nullptr || *look != one.look) text += fmt::format("{}<path {} d=\"", look ? "\"/>\n" : "", one.look);
+      look = &one.look;
+      text += one.path;
+    }
+    if (look != nullptr) text += "\"/>\n";
     return text + marks(number);
   }
 
  private:
   struct Drawn {
-    double height;  // towards the reader
-    std::string text;
+    double height;           // towards the reader
+    std::string look, path;  // attributes; what is drawn
   };
 
   static std::string name(const Colour& c) { return fmt::format("#{:02x}{:02x}{:02x}", c[0], c[1], c[2]); }
@@ -88,10 +94,23 @@ class Painter {
     return {channel(c[0]), channel(c[1]), channel(c[2])};
   }
 
-  std::string on_page(const Triple& seen) const {
-    return fmt::format("{:.0f} {:.0f}", kWide / 2 + scale_ * seen[0], kTall / 2 - scale_ * seen[1]);
+  std::array<long, 2> on_page(const Triple& seen) const {
+    constexpr double kFar = 1e6;  // what is cut off may be as far away as doubles go
+    const auto unit = [](double x) { return std::isnan(x) ? 0 : std::lround(std::clamp(x, -kFar, kFar)); };
+    return {unit(kWide / 2 + scale_ * seen[0]), unit(kTall / 2 - scale_ * seen[1])};
   }
-  std::string on_page(std::uint32_t v) const { return on_page(seen_[v]); }
+  /// From one vertex by others, in units of the picture.
+  template <class... Vertices>
+  std::string path_of(std::uint32_t first, Vertices... others) const {
+    auto at = on_page(seen_[first]);
+    std::string text = fmt::format("M{} {}", at[0], at[1]);
+    for (const std::uint32_t v : {others...}) {
+      const auto next = on_page(seen_[v]);
+      text += fmt::format("l{} {}", next[0] - at[0], next[1] - at[1]);
+      at = next;
+    }
+    return text;
+  }
 
   /// Lit from above, as the page's script does.
   Drawn face(const std::array<std::uint32_t, 3>& corners) const {
@@ -101,9 +120,11 @@ class Painter {
     const double size = std::max(std::hypot(n[0], n[1], n[2]), std::numeric_limits<double>::min());
     const double side = n[2] < 0 ? -1 / size : 1 / size;
     const double light = 0.45 + 0.55 * std::max(0.0, side * (-0.3 * n[0] + 0.5 * n[1] + 0.81 * n[2]));
-    return {(a[2] + b[2] + c[2]) / 3,
-            fmt::format("<path fill=\"{}\" d=\"M{}L{}L{}Z\"/>\n",
-                        name(lit(kHues[hues_[corners[0]]], std::min(light, 1.0))), on_page(a), on_page(b), on_page(c))};
+    // A floor is large, and lies behind what is on it: what is at rest counts by its farthest corner.
+    const std::uint8_t hue = hues_[corners[0]];
+    return {hue == 0 ? std::min({a[2], b[2], c[2]}) : (a[2] + b[2] + c[2]) / 3,
+            fmt::format("fill=\"{}\"", name(lit(kHues[hue], std::min(light, 1.0)))),
+            path_of(corners[0], corners[1], corners[2]) + "z"};
   }
 
   /// Of the pairs that are listed, and meet after the frame before.
@@ -114,7 +135,8 @@ class Painter {
     std::size_t drawn = 0;
     for (const AnimationStory& story : animation_.stories()) {
       if (!(story.time > before && story.time <= frames[number].time) || ++drawn > kMostDrawn) continue;
-      text += fmt::format("<path class=\"m\" d=\"M{}h0\"/>\n", on_page(view_.seen(story.point)));
+      const auto [x, y] = on_page(view_.seen(story.point));
+      text += fmt::format("<path class=\"m\" d=\"M{} {}h0\"/>\n", x, y);
     }
     return text;
   }
@@ -150,7 +172,8 @@ std::string moving_svg(const Animation& animation, const std::string& title) {
   const double length = kSecondsPerFrame * static_cast<double>(shown);
   std::string text = fmt::format(
       "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {:.0f} {:.0f}\" role=\"img\">\n<title>{}</title>\n"
-      "<style>path{{stroke-linejoin:round;stroke-linecap:round;stroke:#0003}}.l{{fill:none;stroke-width:4}}\n"
+      "<style>path{{stroke-linejoin:round;stroke-linecap:round}}path[fill]{{stroke:#0003}}.l{{fill:none;stroke-width:4}"
+      "}\n"
       ".p{{stroke-width:12}}.m{{stroke:#a8487f;stroke-width:14}}\n"
       ".f{{visibility:hidden;animation:show {:.2f}s steps(1) infinite}}.s{{visibility:visible}}\n"
       "@keyframes show{{0%{{visibility:visible}}{:.4f}%{{visibility:hidden}}100%{{visibility:hidden}}}}\n"

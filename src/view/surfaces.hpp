@@ -13,7 +13,7 @@ namespace touchstone::view {
 /// Red, green and blue from 0 to 255. The first hue is pale, for what is at rest while something moves; the others are
 /// in the colours of Okabe and Ito, softened: readers with any colour vision tell them apart on white and on black.
 using Colour = std::array<std::uint8_t, 3>;
-inline constexpr std::array<Colour, 8> kHues = {{{176, 184, 194},
+inline constexpr std::array<Colour, 8> kHues = {{{214, 219, 226},
                                                  {86, 150, 201},
                                                  {230, 166, 62},
                                                  {70, 168, 140},
