@@ -143,6 +143,13 @@ def test_tables():
     for thing in objects():
         if hasattr(thing, "to_pandas"):
             assert len(thing.to_pandas()) == len(thing.findings if isinstance(thing, ts.FuzzReport) else thing)
+    rod = ts.Body([[0, 0, 0], [2, 0, 0]], edges=[[0, 1]])
+    poses = [[0, 0, 0, 1, 0, 0, 0], [1, -1, 0, 1, 0, 0, 1]]  # the second one is along y
+    pairs = ts.Bodies([rod, rod]).all_contacts(poses, poses, quaternion="wxyz").to_pandas()
+    assert pairs.kind.tolist() == ["edge-edge"] and pairs.toi.tolist() == [0]
+    crossing = ts.Bodies([rod, rod]).intersections(poses, quaternion="wxyz").to_pandas()
+    for table in (pairs, crossing):
+        assert sorted([*table.first_body, *table.second_body]) == [0, 1] and table["first"].tolist() == [0]
 
 
 def test_claims_and_findings_as_tables():

@@ -3,7 +3,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from ._core import Answers, Distances, FuzzReport, Intersections, Pairs
+from ._core import Answers, BodyIntersections, BodyPairs, Distances, FuzzReport, Intersections, Pairs
 from ._names import Feature, Level, Nature, Trend
 
 
@@ -42,19 +42,24 @@ def _distances_table(self) -> Any:
                    **_weights("b", self.weights_b)})
 
 
+def _columns(of, *names):
+    return {name: getattr(of, name) for name in names if hasattr(of, name)}
+
+
 def _pairs_table(self) -> Any:
     """A pandas.DataFrame with a row for each pair, and for each contact with its separation and its answer. Raises
     ImportError without pandas."""
     contact = {"separation": self.separation, **answer_columns(self.answers)} if len(self.separation) else {}
-    return frame({"kind": self.kind, "first": self.first, "second": self.second, **contact})
+    return frame({**_columns(self, "kind", "first_body", "first", "second_body", "second"), **contact})
 
 
 def _intersections_table(self) -> Any:
-    """A pandas.DataFrame with a row for each intersection; the common point's weights are a0 a1 a2 b0 b1 b2. Raises
-    ImportError without pandas."""
-    return frame({"first_element": self.first_element, "first": self.first, "second_element": self.second_element,
-                   "second": self.second, "sort": self.sort, **_weights("a", self.weights_first),
-                   **_weights("b", self.weights_second)})
+    """A pandas.DataFrame with a row for each intersection; the weights of the common point of a mesh's elements are a0
+    a1 a2 b0 b1 b2. Raises ImportError without pandas."""
+    weights = {**_weights("a", self.weights_first), **_weights("b", self.weights_second)} \
+        if hasattr(self, "weights_first") else {}
+    return frame({**_columns(self, "first_element", "first_body", "first", "second_element", "second_body", "second",
+                             "sort"), **weights})
 
 
 def _findings_table(self) -> Any:
@@ -70,5 +75,6 @@ def _findings_table(self) -> Any:
 
 
 for _class, _method in ((Answers, _answers_table), (Distances, _distances_table), (Pairs, _pairs_table),
-                        (Intersections, _intersections_table), (FuzzReport, _findings_table)):
+                        (BodyPairs, _pairs_table), (Intersections, _intersections_table),
+                        (BodyIntersections, _intersections_table), (FuzzReport, _findings_table)):
     setattr(_class, "to_pandas", _method)
