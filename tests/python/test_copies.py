@@ -1,5 +1,6 @@
 """Copies, pickles, slices and tables of objects, and hints. SPDX-License-Identifier: MIT"""
 import copy
+import importlib.util
 import pickle
 import types
 
@@ -175,6 +176,21 @@ def test_names_of_other_programs_are_told():
         ts.solve("point-point", START, END, colour=1)
 
 
+def test_polygons_of_other_packages_are_cut_where_that_is_asked():
+    x = [[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0], [2, 0, 0], [2, 1, 0]]
+    thing = types.SimpleNamespace
+    quads, triangles = [[0, 1, 2, 3], [1, 4, 5, 2]], [[0, 1, 2], [0, 2, 3], [1, 4, 5], [1, 5, 2]]
+    blocks = [thing(type="quad", data=quads[:1]), thing(type="polygon4", data=quads[1:])]
+    for made in (thing(points=x, cells=blocks), thing(vertices=x, faces=quads),
+                 thing(vertices=x, faces=np.array(quads)),
+                 thing(points=x, faces=np.array([4, *quads[0], 4, *quads[1]]))):
+        with pytest.raises(ValueError, match=r"a face of 4 corners; .*as_mesh\(..., triangulate=True\) cuts it"):
+            ts.as_mesh(made)
+        assert ts.as_mesh(made, triangulate=True).mesh.faces.tolist() == triangles
+    mixed = thing(points=x, faces=np.array([3, 1, 4, 2, 5, 0, 1, 4, 5, 3]))
+    assert ts.as_mesh(mixed, triangulate=True).mesh.faces.tolist() == [[1, 4, 2], [0, 1, 4], [0, 4, 5], [0, 5, 3]]
+
+
 def test_meshes_of_other_packages():
     x, face = [[0, 0, 0], [1, 0, 0], [0, 1, 0], [5, 5, 5]], [[0, 1, 2]]
     thing = types.SimpleNamespace
@@ -188,16 +204,54 @@ def test_meshes_of_other_packages():
             (thing(points=x, lines=[[0, 3], [3, 1]]), 2, 0)]:
         mesh, positions, parts, face_parts = ts.as_mesh(made)
         assert (len(mesh.edges), len(mesh.points), positions.tolist(), parts) == (edges, points, x, [])
-    for made, words in [(thing(points=x, cells=[thing(type="quad", data=[[0, 1, 2, 3]])]), "cells of type 'quad'"),
-                        (thing(points=x, faces=np.array([4, 0, 1, 2, 3])), "a face of 4 corners"),
+    for made, words in [(thing(points=x, cells=[thing(type="tetra", data=[[0, 1, 2, 3]])]), "cells of type 'tetra'"),
+                        (thing(points=x, faces=np.array([2, 0, 1])), "a face of 2 corners; a face has three$"),
                         (thing(points=x, faces=np.array([]), strips=np.array([4, 0, 1, 2, 3])), "strips"),
                         (thing(points=x, faces=np.array([]), lines=np.array([5, 0, 1, 2])), "says that 5 corners"),
                         (thing(points=x, faces=np.array([]), lines=np.array([-1, 0, 1, 2])), "says that -1 corners"),
                         (thing(points=x, faces=np.array([])), "neither faces nor lines")]:
         with pytest.raises(ValueError, match=words):
             ts.as_mesh(made)
-    with pytest.raises(TypeError, match="an object of type dict is no mesh"):
-        ts.as_mesh({})
+    for wrong, words in [({}, "thing is of type dict; it must be a mesh of meshio"),
+                         (ts.Mesh(2), "thing is a touchstone.Mesh, which has no positions"),
+                         ("a.stl", "thing is 'a.stl'; .*; read_mesh reads a mesh from a file")]:
+        with pytest.raises(TypeError, match=words):
+            ts.as_mesh(wrong)
+    assert ts.as_mesh(ts.as_mesh(thing(vertices=x, faces=face))).positions.tolist() == x
     meshio = pytest.importorskip("meshio", reason="meshio is not installed")
     mesh = ts.as_mesh(meshio.Mesh(x, [("triangle", face), ("vertex", [[3]])])).mesh
     assert (len(mesh.faces), mesh.points.tolist()) == (1, [3])
+
+
+def test_what_has_a_mesh_is_a_mesh(tmp_path):
+    x, face = np.array([[0, 0, 0], [4, 0, 0], [0, 4, 0], [1, 1, 1], [1, 2, 1], [1, 1, 2.]]), [[0, 1, 2], [3, 4, 5]]
+    mesh, x1 = ts.Mesh(x, face), x * [1, 1, -1]
+    path = tmp_path / "a.obj"
+    path.write_text("".join(f"v {p[0]} {p[1]} {p[2]}\n" for p in x) + "f 1 2 3\nf 4 5 6\n")
+    thing = types.SimpleNamespace(vertices=x, faces=face)
+    with_positions = [ts.read_mesh(path), ts.as_mesh(thing), thing]
+    if importlib.util.find_spec("meshio"):
+        with_positions.append(importlib.import_module("meshio").Mesh(x, [("triangle", face)]))
+    frames = ts.read_frames([path, path])
+
+    def answers(given, *own):
+        steps = ts.MeshSteps(given)
+        return repr([ts.first_contact(given, x, x1), ts.all_contacts(given, x, x1), ts.candidates(given, x, x1),
+                     ts.free_step(given, x, x1).length, ts.show_mesh(given, x, x1), steps.first_contact(x, x1),
+                     steps.mesh, ts.Body(x, mesh=given), ts.intersections(given, *own), ts.intersects(given, *own),
+                     ts.closest_approach(given, *own)])
+
+    for given in [mesh, frames, *with_positions]:
+        assert answers(given, x) == answers(mesh, x)
+    for given in with_positions:
+        assert answers(given) == answers(mesh, x)
+        assert repr(ts.closest_approach(given, x1=x1)) == repr(ts.closest_approach(mesh, x, x1))
+    for ask in (ts.intersections, ts.intersects, ts.closest_approach):
+        with pytest.raises(TypeError, match="is not given, and a Mesh has no positions"):
+            ask(mesh)
+        with pytest.raises(TypeError, match=r"is not given, and Frames have many positions: frames.positions\[0\]"):
+            ask(frames)
+    for wrong, words in [(with_positions[0], "x0 is of type MeshFile; .* such as its .positions"),
+                         (thing, "x0 is of type SimpleNamespace; .* such as its .vertices")]:
+        with pytest.raises(TypeError, match=words):
+            ts.first_contact(mesh, wrong, x1)

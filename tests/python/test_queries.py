@@ -212,7 +212,7 @@ def test_wrong_input_is_refused(ask):
     with pytest.raises(ValueError, match="start"):
         ask("edge-edge", [[[1, 2], [3]]], end)
     for x in ([["a"] * 3] * 4, start + 1j, start > 0, None, {}, [[None] * 3] * 4):
-        with pytest.raises(TypeError, match="start has"):
+        with pytest.raises(TypeError, match="start (has|is)"):
             ask("edge-edge", x, end)
     for threads, error in ((-1, ValueError), (1025, ValueError), (10**30, ValueError), (1.5, TypeError),
                            ("2", TypeError)):

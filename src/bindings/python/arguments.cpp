@@ -83,16 +83,26 @@ py::dict all_names() {
   return all;
 }
 
-int threads_of(py::handle threads) {
-  constexpr long kMost = 1024;
+void check_whole(py::handle number, const std::string& what) {
+  if (py::reinterpret_steal<py::object>(PyNumber_Index(number.ptr()))) return;
+  if (PyErr_ExceptionMatches(PyExc_TypeError) == 0) throw py::error_already_set();
+  PyErr_Clear();
+  throw py::type_error(what + " is of type " + Py_TYPE(number.ptr())->tp_name + "; it must be a whole number");
+}
+
+int whole_in(py::handle number, const char* what, int least, int most, const char* right) {
+  check_whole(number, what);
   int too_long = 0;
-  const long number = PyLong_AsLongAndOverflow(threads.ptr(), &too_long);
+  const long value = PyLong_AsLongAndOverflow(number.ptr(), &too_long);
   if (PyErr_Occurred() != nullptr) throw py::error_already_set();
-  if (too_long != 0 || number < 0 || number > kMost) {
-    throw py::value_error("threads is " + std::string(py::str(threads)) +
-                          "; it must be in [0, 1024], 0 for as many as the machine has");
+  if (too_long != 0 || value < least || value > most) {
+    throw py::value_error(std::string(what) + " is " + std::string(py::str(number)) + "; it must be " + right);
   }
-  return static_cast<int>(number);
+  return static_cast<int>(value);
+}
+
+int threads_of(py::handle threads) {
+  return whole_in(threads, "threads", 0, 1024, "in [0, 1024], 0 for as many as the machine has");
 }
 
 double number_of(py::handle number, const char* what) {

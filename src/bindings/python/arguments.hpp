@@ -37,6 +37,12 @@ Verdict refuted_verdict_of(py::handle name);  ///< of a wrong claim
 /// The names of the enumerations, by the enumeration's name: {"Kind": ("edge-edge", ...), ...}.
 py::dict all_names();
 
+/// @throws TypeError  for what is no whole number
+void check_whole(py::handle number, const std::string& what);
+
+/// A whole number in [least, most], which `right` says in words.
+int whole_in(py::handle number, const char* what, int least, int most, const char* right);
+
 /// A whole number of threads. @throws  also outside [0, 1024]
 int threads_of(py::handle threads);
 

@@ -31,6 +31,9 @@ concept Bound = one_of<T, Answer, Bodies, Body, ClosestApproach, Distance, Exact
   typename T::BoundToPython;
 };
 
+/// A Mesh itself, or the Mesh of anything that stands for one: a MeshFile, Frames, or a mesh of another package.
+py::object mesh_object(py::handle given);
+
 /// Defines a class.
 template <Bound T>
 py::class_<T> define_class(py::module_& module, const char* name, const char* help) {
@@ -44,7 +47,13 @@ namespace pybind11::detail {
 template <touchstone::python::Bound T>
 class type_caster<T> : public type_caster_base<T> {
  public:
-  bool load(handle given, bool convert) { return this->template load_impl<type_caster>(given, convert); }
+  bool load(handle given, bool convert) {
+    if constexpr (std::same_as<T, touchstone::Mesh>) {
+      held_ = touchstone::python::mesh_object(given);
+      given = held_;
+    }
+    return this->template load_impl<type_caster>(given, convert);
+  }
 
   void load_value(value_and_holder&& held) {  // NOLINT(readability-identifier-naming): pybind11 calls it
     if (held.value_ptr() == nullptr) {
@@ -55,6 +64,9 @@ class type_caster<T> : public type_caster_base<T> {
     }
     type_caster_base<T>::load_value(std::move(held));
   }
+
+ private:
+  object held_;  // while the call runs
 };
 
 }  // namespace pybind11::detail

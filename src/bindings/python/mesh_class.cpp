@@ -22,6 +22,7 @@ namespace {
 MeshIndex number_in(const py::tuple& pair, std::size_t i) {
   constexpr long long kMost = 4294967294;
   int too_long = 0;
+  check_whole(pair[i], "item " + std::to_string(i) + " of the pair " + std::string(py::str(py::repr(pair))));
   const long long value = PyLong_AsLongLongAndOverflow(pair[i].ptr(), &too_long);
   if (PyErr_Occurred() != nullptr) throw py::error_already_set();
   if (too_long != 0 || value < 0 || value > kMost) {
@@ -97,7 +98,7 @@ MeshElements elements_of(const MeshArguments& given) {
     elements.vertex_count = static_cast<std::size_t>(positions.shape(0));
     elements.dimension = static_cast<int>(positions.shape(1));
   }
-  if (!given.dimension.is_none()) elements.dimension = given.dimension.cast<int>();
+  if (!given.dimension.is_none()) elements.dimension = whole_in(given.dimension, "dimension", 2, 3, "2 or 3");
   elements.faces = index_rows<3>(given.faces, "faces");
   elements.edges = index_rows<2>(given.edges, "edges");
   if (!given.points.is_none()) elements.points = indices(given.points, "points");
@@ -153,6 +154,11 @@ message names the element.
 
 }  // namespace
 
+py::object mesh_object(py::handle given) {
+  if (py::isinstance<Mesh>(given)) return py::reinterpret_borrow<py::object>(given);
+  return py::module_::import("touchstone._mesh_files").attr("as_argument")(given);
+}
+
 void define_mesh(py::module_& module) {
   py::class_<Mesh> bound = define_class<Mesh>(module, "Mesh", kMeshHelp);
   define_pickle(
@@ -203,10 +209,10 @@ void define_mesh(py::module_& module) {
            "Whether there are two elements that could meet, and two groups that may collide, if there are groups.")
       .def(
           "may_collide", [](const Mesh& mesh, py::handle pair) { return mesh.may_collide(pair_of(pair)); },
-          "Whether a pair (kind, first, second) is one that is asked about.")
+          py::arg("pair"), "Whether a pair (kind, first, second) is one that is asked about.")
       .def(
           "separation_of", [](const Mesh& mesh, py::handle pair) { return mesh.separation(pair_of(pair)).distance; },
-          "The separation of a pair (kind, first, second).")
+          py::arg("pair"), "The separation of a pair (kind, first, second).")
       .def(
           "corners",
           [](const Mesh& mesh, py::handle given) {
@@ -216,8 +222,8 @@ void define_mesh(py::module_& module) {
             for (std::size_t c = 0; c < corner_count(pair.kind); ++c) list.append(corners[c]);
             return list;
           },
-          "The vertices of a pair (kind, first, second), in the order of a query's corners.")
-      .def("describe", &description,
+          py::arg("pair"), "The vertices of a pair (kind, first, second), in the order of a query's corners.")
+      .def("describe", &description, py::arg("pair"),
            "A pair (kind, first, second) for a person: 'edge 7 (3-4) and edge 9 (10-11)'; or one of Intersections:\n"
            "'edge 7 (3-4) pierces face 9 (10-11-12)'.")
       .def("__repr__", [](const Mesh& mesh) {

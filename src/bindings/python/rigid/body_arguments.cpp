@@ -68,12 +68,9 @@ Body body_of(const py::object& points, const py::object& faces, const py::object
     throw py::type_error(std::string(what) + " has the elements already; faces, edges and loose_points must be None");
   };
   if (!mesh.is_none()) {
-    if (!py::isinstance<Mesh>(mesh)) {
-      throw py::type_error(std::string("mesh is of type ") + Py_TYPE(mesh.ptr())->tp_name +
-                           "; it must be a touchstone.Mesh");
-    }
+    const py::object own = mesh_object(mesh);
     no_elements("mesh");
-    return body_of_mesh(mesh.cast<const Mesh&>(), points, radii);
+    return body_of_mesh(own.cast<const Mesh&>(), points, radii);
   }
   if (py::isinstance<Mesh>(points)) {
     throw py::type_error("points is a Mesh, which has no positions; Body(positions, mesh=mesh) takes both");

@@ -1,5 +1,10 @@
 """Arrays that the module does not read as they are: other types, lists, indices. SPDX-License-Identifier: MIT"""
+import os
+
 import numpy as np
+
+from ._core import Mesh
+from ._hints import shown
 
 _EXACT_BELOW = 2**53  # every whole number up to this one is a double
 
@@ -34,20 +39,47 @@ def unmasked(values, name):
     return np.asarray(values)
 
 
-def _array(values, name):
+def is_file_name(thing):
+    return isinstance(thing, os.PathLike) or isinstance(thing, str) and bool(os.path.splitext(thing)[1])
+
+
+def _no_numbers(values, name):
+    """What is said of a thing that is no array of numbers."""
+    names = () if isinstance(values, Mesh) else ("positions", "points", "vertices")
+    own = next((own for own in names if hasattr(values, own)), None)
+    return (f"{name} {shown(values)}; it must be real numbers" +
+            (f", such as its .{own}; as_mesh takes the whole mesh" if own else "") +
+            ("; read_mesh reads a mesh from a file" if is_file_name(values) else ""))
+
+
+def elements(array):
+    """The elements of an array, in a message about their type."""
+    if array.dtype.kind in "US":
+        return "strings" + (f", such as {array.flat[0].item()!r}" if array.size else "")
+    return f"elements of type {array.dtype}"
+
+
+def _converted(values, name):
+    if isinstance(values, tuple) and hasattr(values, "positions"):  # a MeshFile
+        raise TypeError(_no_numbers(values, name))
     try:
-        array = unmasked(values, name)
+        return unmasked(values, name)
     except ValueError as error:  # rows of different lengths
         if _masked(values) is not None:
             raise
         raise ValueError(f"{name} is no array: {error}") from None
+
+
+def _array(values, name):
+    array = _converted(values, name)
+    if array.ndim == 0 and array.dtype.kind not in "fiu" and not hasattr(values, "__float__"):
+        raise TypeError(_no_numbers(values, name))
     if array.dtype.kind == "O":  # rows of different lengths too, for an old NumPy
         for item in array.flat:
             if not hasattr(item, "__float__"):
-                found = type(item).__name__
-                raise TypeError(f"{name} has an element of type {found}; its elements must be real numbers")
+                raise TypeError(f"{name} has an element that {shown(item)}; its elements must be real numbers")
     elif array.dtype.kind not in "fiu":
-        raise TypeError(f"{name} has elements of type {array.dtype}; they must be real numbers")
+        raise TypeError(f"{name} has {elements(array)}; they must be real numbers")
     return array
 
 
@@ -102,11 +134,11 @@ def places(several, count, what):
 
 def indices(values, name, columns):
     """Whole numbers in [0, 2^32 - 2] as uint32 of shape (rows, columns), or (rows,) for 0 columns, without gaps."""
-    array = unmasked(values, name)
+    array = _converted(values, name)
     if array.size == 0 and array.ndim <= 2:
         array = np.empty((0, columns) if columns else (0,), np.uint32)
     if array.dtype.kind not in "iu":
-        raise TypeError(f"{name} has elements of type {array.dtype}; they must be whole numbers")
+        raise TypeError(f"{name} has {elements(array)}; they must be whole numbers")
     wanted = (f"(n, {columns})", 2) if columns else ("(n,)", 1)
     if array.ndim != wanted[1] or columns and array.shape[1] != columns:
         raise ValueError(f"{name} has the shape {array.shape}; it must be {wanted[0]}")

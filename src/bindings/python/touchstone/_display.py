@@ -11,6 +11,7 @@ from numpy.typing import ArrayLike, NDArray
 from . import _core, _meshes, _queries
 from ._core import Answer, Answers, Finding, FirstContact, FreeStep, FuzzReport, Intersections, Mesh, Pairs
 from ._judging import Certificate, Verdict
+from ._mesh_files import AnyMesh, as_argument
 from ._names import Feature, Level, Nature
 from ._pages import there
 from ._queries import Kind, Metric
@@ -148,7 +149,7 @@ class ShownMesh:
         return f"{self.mesh!r} {self.first_contact!r}"
 
 
-def show_mesh(mesh: Mesh, x0: ArrayLike, x1: ArrayLike, t_max: float = 1.0, threads: int = 1) -> ShownMesh:
+def show_mesh(mesh: AnyMesh, x0: ArrayLike, x1: ArrayLike, t_max: float = 1.0, threads: int = 1) -> ShownMesh:
     """A step of a mesh with its first contact, to look at in a notebook.
 
     Arguments and errors are those of `first_contact`.
@@ -157,8 +158,9 @@ def show_mesh(mesh: Mesh, x0: ArrayLike, x1: ArrayLike, t_max: float = 1.0, thre
     >>> touchstone.show_mesh(touchstone.Mesh(2), [[0, 0, 0], [2, 0, 0]], [[4, 0, 0], [2, 0, 0]])
     <Mesh: 2 vertices, 0 faces, 0 edges, 2 loose points> <FirstContact: toi 0.5, 1 earliest, 0 at the start>
     """
-    found = _meshes.first_contact(mesh, x0, x1, t_max, threads)
-    return ShownMesh(mesh, np.array(x0), np.array(x1), found, float(t_max))
+    own = as_argument(mesh)
+    found = _meshes.first_contact(own, x0, x1, t_max, threads)
+    return ShownMesh(own, np.array(x0), np.array(x1), found, float(t_max))
 
 
 def _show_answers(answers: Any):

@@ -8,7 +8,9 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _core
+from ._arrays import is_file_name
 from ._core import Mesh
+from ._hints import shown
 
 
 class _FileFields(NamedTuple):
@@ -39,6 +41,7 @@ class Frames(_FramesFields, _Mended):
     `welded_vertices` and `dropped_elements` count what `weld` and `drop_degenerate` changed."""
 
 
+AnyMesh = Union[Mesh, MeshFile, Frames, Any]  # Any: what as_mesh takes
 _Path = Union[str, os.PathLike[str]]
 _Arrays = Tuple[Any, Any, Any, Any, List[str], Any, int, int]
 
@@ -73,6 +76,20 @@ def _mesh_of_arrays(arrays: _Arrays, path: Any, between_parts: bool) -> Mesh:
     return Mesh(len(positions), faces, edges, loose, groups=groups, group_pairs=np.stack([numbers, numbers], axis=1))
 
 
+def _triangles(polygons: Any, triangulate: bool, name: str) -> npt.NDArray[np.int64]:
+    """The triangles of polygons, an array or a list, in their order; those of one share its first corner."""
+    equal = isinstance(polygons, np.ndarray) and polygons.ndim == 2
+    groups = [polygons] if equal else [np.asarray(polygon)[np.newaxis] for polygon in polygons]
+    for group in groups:
+        corners = group.shape[1]
+        if corners < 3 or corners > 3 and not triangulate:
+            raise ValueError(f"{name} has a face of {corners} corners; a face has three" +
+                             ("; as_mesh(..., triangulate=True) cuts it into triangles" if corners > 3 else ""))
+    return np.concatenate([np.empty((0, 3), int)] + [
+        np.stack([group[:, [0, i, i + 1]] for i in range(1, group.shape[1] - 1)], axis=1).reshape(-1, 3)
+        for group in groups])
+
+
 def _padded(flat: Any, name: str) -> List[npt.NDArray[np.int64]]:
     """PyVista's cells: the number of corners before each one's corners."""
     values, cells, i = np.asarray(flat).ravel(), [], 0
@@ -85,13 +102,11 @@ def _padded(flat: Any, name: str) -> List[npt.NDArray[np.int64]]:
     return cells
 
 
-def _padded_faces(flat: Any) -> npt.NDArray[np.int64]:
+def _padded_faces(flat: Any) -> Any:
     values = np.asarray(flat).ravel()
     if len(values) % 4 == 0 and (values[::4] == 3).all():
         return values.reshape(-1, 4)[:, 1:]
-    cells = _padded(values, "thing.faces")
-    most = max(len(cell) for cell in cells)
-    raise ValueError(f"thing.faces has a face of {most} corners; a face has three: triangulate() cuts them")
+    return _padded(values, "thing.faces")
 
 
 def _padded_edges(flat: Any) -> npt.NDArray[np.int64]:
@@ -102,40 +117,34 @@ def _padded_edges(flat: Any) -> npt.NDArray[np.int64]:
     return np.concatenate([np.stack([line[:-1], line[1:]], axis=1) for line in lines])
 
 
-def _meshio_cells(thing: Any) -> Any:
+def _meshio_cells(thing: Any, triangulate: bool) -> Any:
     cells = {"triangle": [np.empty((0, 3), int)], "line": [np.empty((0, 2), int)], "vertex": [np.empty((0, 1), int)]}
     for block in thing.cells:
-        if block.type not in cells:
-            raise ValueError(f"the mesh has cells of type '{block.type}'; right are triangle, line and vertex. "
-                             "thing.write('a.vtk') and read_mesh take the surface of tetrahedra")
-        cells[block.type].append(np.asarray(block.data))
+        if block.type == "quad" or block.type.startswith("polygon"):
+            cells["triangle"].append(_triangles(np.asarray(block.data), triangulate, "the mesh"))
+        elif block.type in cells:
+            cells[block.type].append(np.asarray(block.data))
+        else:
+            raise ValueError(f"the mesh has cells of type '{block.type}'; right are triangle, line and vertex, and "
+                             "quad and polygon by as_mesh(..., triangulate=True). thing.write('a.vtk') and read_mesh "
+                             "take the surface of tetrahedra")
     return [np.concatenate(cells[name]) for name in ("triangle", "line", "vertex")]
 
 
-def as_mesh(thing: Any) -> MeshFile:
-    """The mesh of an object of meshio, trimesh, PyVista (PolyData) or Open3D (TriangleMesh, LineSet).
-
-    thing  the object. It is known by its attributes, points and cells, vertices and faces, points and faces, vertices
-           and triangles, or points and lines, so that no package need be there
-
-    Returns a MeshFile with mesh and positions, in the object's numbering. Vertices in no element do not collide. Raises
-    TypeError for other objects, and ValueError for cells that are neither triangles, edges nor points.
-
-    >>> import types, touchstone
-    >>> thing = types.SimpleNamespace(vertices=[[0, 0, 0], [1, 0, 0], [0, 1, 0]], faces=[[0, 1, 2]])
-    >>> touchstone.as_mesh(thing).mesh
-    <Mesh: 3 vertices, 1 faces, 3 edges, 0 loose points>
-    """
+def _file_of(thing: Any, triangulate: bool = False) -> Optional[MeshFile]:
+    """The mesh and positions of a thing that has both; None for other things."""
+    if isinstance(thing, (Mesh, MeshFile)):
+        return thing if isinstance(thing, MeshFile) else None
     none = np.empty((0, 2), int)
     faces, edges, points = np.empty((0, 3), int), none, np.empty((0, 1), int)
     if hasattr(thing, "points") and isinstance(getattr(thing, "cells", None), list):
-        positions, (faces, edges, points) = thing.points, _meshio_cells(thing)
+        positions, (faces, edges, points) = thing.points, _meshio_cells(thing, triangulate)
     elif hasattr(thing, "vertices") and hasattr(thing, "triangles"):
         positions, faces = thing.vertices, thing.triangles
     elif hasattr(thing, "vertices") and hasattr(thing, "faces"):
-        positions, faces = thing.vertices, thing.faces
+        positions, faces = thing.vertices, _triangles(np.asarray(thing.faces), triangulate, "thing.faces")
     elif hasattr(thing, "points") and hasattr(thing, "faces"):
-        positions, faces = thing.points, _padded_faces(thing.faces)
+        positions, faces = thing.points, _triangles(_padded_faces(thing.faces), triangulate, "thing.faces")
         edges = _padded_edges(thing.lines) if len(getattr(thing, "lines", ())) else edges
         points = np.concatenate(_padded(thing.verts, "thing.verts")) if len(getattr(thing, "verts", ())) else points
         if len(getattr(thing, "strips", ())):
@@ -145,11 +154,64 @@ def as_mesh(thing: Any) -> MeshFile:
     elif hasattr(thing, "points") and hasattr(thing, "lines"):
         positions, edges = thing.points, thing.lines
     else:
-        raise TypeError(f"an object of type {type(thing).__name__} is no mesh of meshio, trimesh, PyVista or Open3D: it "
-                        "has no points and cells, vertices and faces, vertices and triangles, or points and lines")
+        return None
     at = np.ascontiguousarray(np.asarray(positions), dtype=np.float64)
     mesh = Mesh(at, np.asarray(faces), np.asarray(edges), np.unique(np.asarray(points).ravel()))
     return MeshFile(mesh, at, [], np.empty(0, np.uint32))
+
+
+def _no_mesh(thing: Any, name: str, right: str) -> TypeError:
+    return TypeError(f"{name} {shown(thing)}; it must be {right}a mesh of meshio, trimesh, PyVista or Open3D, with "
+                     "points and cells, vertices and faces, vertices and triangles, or points and lines" +
+                     ("; read_mesh reads a mesh from a file" if is_file_name(thing) else ""))
+
+
+def as_mesh(thing: Any, *, triangulate: bool = False) -> MeshFile:
+    """The mesh of an object of meshio, trimesh, PyVista (PolyData) or Open3D (TriangleMesh, LineSet).
+
+    thing  the object. It is known by its attributes, points and cells, vertices and faces, points and faces, vertices
+           and triangles, or points and lines, so that no package need be there. A MeshFile is returned as it is
+    triangulate  whether faces of more than three corners are cut into triangles that share the first corner; without it
+           they are errors
+
+    Returns a MeshFile with mesh and positions, in the object's numbering. Vertices in no element do not collide. Raises
+    TypeError for other objects, and ValueError for cells that are neither triangles, edges nor points. Functions that
+    take a Mesh take such an object, too, and what `read_mesh` and `read_frames` return.
+
+    >>> import types, touchstone
+    >>> thing = types.SimpleNamespace(vertices=[[0, 0, 0], [1, 0, 0], [0, 1, 0]], faces=[[0, 1, 2]])
+    >>> touchstone.as_mesh(thing).mesh
+    <Mesh: 3 vertices, 1 faces, 3 edges, 0 loose points>
+    """
+    file = _file_of(thing, triangulate)
+    if isinstance(thing, Mesh):
+        raise TypeError("thing is a touchstone.Mesh, which has no positions")
+    if file is None:
+        raise _no_mesh(thing, "thing", "")
+    return file
+
+
+def as_argument(mesh: Any) -> Mesh:
+    """The Mesh of an argument `mesh`. Raises TypeError for what has none."""
+    if isinstance(mesh, Mesh):
+        return mesh
+    file = mesh if isinstance(mesh, Frames) else _file_of(mesh)
+    if file is None:
+        raise _no_mesh(mesh, "mesh", "a touchstone.Mesh, what read_mesh or read_frames returned, or ")
+    return file.mesh
+
+
+def with_positions(mesh: Any, x: Any, name: str) -> Tuple[Mesh, Any]:
+    """The Mesh of an argument, and positions x, which are the mesh's own where x is None."""
+    if x is None:
+        mesh = _file_of(mesh) or mesh
+        if isinstance(mesh, MeshFile):
+            x = mesh.positions
+        elif isinstance(mesh, Frames):
+            raise TypeError(f"{name} is not given, and Frames have many positions: frames.positions[0] are the first")
+        elif isinstance(mesh, Mesh):
+            raise TypeError(f"{name} is not given, and a Mesh has no positions of its own")
+    return as_argument(mesh), x
 
 
 def read_mesh(path: _Path, *, triangulate: bool = False, between_parts: bool = False, weld: bool = False,

@@ -6,16 +6,17 @@ from typing import Optional
 from numpy.typing import ArrayLike
 
 from . import _core
-from ._core import ClosestApproach, FirstContact, FreeStep, Intersections, Mesh, Pairs
+from ._core import ClosestApproach, FirstContact, FreeStep, Intersections, Pairs
 from ._hints import hinting
+from ._mesh_files import AnyMesh, with_positions
 
 
 @hinting
-def first_contact(mesh: Mesh, x0: ArrayLike, x1: ArrayLike, t_max: float = 1.0, threads: int = 1, *,
+def first_contact(mesh: AnyMesh, x0: ArrayLike, x1: ArrayLike, t_max: float = 1.0, threads: int = 1, *,
                   check_start: bool = False) -> FirstContact:
     """The first contact while each vertex moves on a straight line from its position in x0 to that in x1.
 
-    mesh     a Mesh of n vertices
+    mesh     a Mesh of n vertices, what `read_mesh` or `read_frames` returned, or what `as_mesh` takes
     x0, x1   the positions at t = 0 and at t = 1, of shape (n, 3), or (n, 2) in the plane
     t_max    the end of the time range, 0 <= t_max <= 1
     threads  1 (default) to 1024, or 0 for as many as the machine has; it changes nothing in the result
@@ -40,7 +41,7 @@ def first_contact(mesh: Mesh, x0: ArrayLike, x1: ArrayLike, t_max: float = 1.0, 
 
 
 @hinting
-def all_contacts(mesh: Mesh, x0: ArrayLike, x1: ArrayLike, t_max: float = 1.0, threads: int = 1) -> Pairs:
+def all_contacts(mesh: AnyMesh, x0: ArrayLike, x1: ArrayLike, t_max: float = 1.0, threads: int = 1) -> Pairs:
     """Every pair that comes into contact in [0, t_max], those in contact at the start too, by time and then by pair.
 
     Arguments and errors are those of `first_contact`. Returns Pairs with their answers.
@@ -55,25 +56,27 @@ def all_contacts(mesh: Mesh, x0: ArrayLike, x1: ArrayLike, t_max: float = 1.0, t
 
 
 @hinting
-def closest_approach(mesh: Mesh, x0: ArrayLike, x1: Optional[ArrayLike] = None, t_max: float = 1.0,
-                     threads: int = 1) -> ClosestApproach:
+def closest_approach(mesh: AnyMesh, x0: Optional[ArrayLike] = None, x1: Optional[ArrayLike] = None,
+                     t_max: float = 1.0, threads: int = 1) -> ClosestApproach:
     """The least distance of two elements that may collide, in a step from x0 to x1, or at rest at x0 without x1.
 
-    Arguments and errors are those of `first_contact`. The mesh's metric measures, and its separations and radii do not
-    count. Returns a ClosestApproach: `distance` is the least distance, rounded up to a double, 0 where the mesh
-    intersects itself at the start; `first_contact` is the answer with it as the separation: when the elements are so
-    near first, and which. Groups of a Mesh ask between parts only.
+    Arguments and errors are those of `first_contact`. Without x0 the start is the mesh's own positions, which a Mesh
+    does not have. The mesh's metric measures, and its separations and radii do not count. Returns a ClosestApproach:
+    `distance` is the least distance, rounded up to a double, 0 where the mesh intersects itself at the start;
+    `first_contact` is the answer with it as the separation: when the elements are so near first, and which. Groups of a
+    Mesh ask between parts only.
 
     >>> import touchstone
     >>> near = touchstone.closest_approach(touchstone.Mesh(2), [[0, 0, 0], [1, 0, 0]], [[.75, 0, 0], [1, 0, 0]])
     >>> near.distance, near.first_contact.toi
     (0.25, 1.0)
     """
-    return _core.closest_approach(mesh, x0, x0 if x1 is None else x1, t_max, threads, False)
+    own, start = with_positions(mesh, x0, "x0")
+    return _core.closest_approach(own, start, start if x1 is None else x1, t_max, threads, False)
 
 
 @hinting
-def candidates(mesh: Mesh, x0: ArrayLike, x1: ArrayLike, threads: int = 1) -> Pairs:
+def candidates(mesh: AnyMesh, x0: ArrayLike, x1: ArrayLike, threads: int = 1) -> Pairs:
     """The pairs whose boxes meet during the step: every pair in contact is among them.
 
     Arguments and errors are those of `first_contact`. Returns Pairs without answers.
@@ -86,8 +89,10 @@ def candidates(mesh: Mesh, x0: ArrayLike, x1: ArrayLike, threads: int = 1) -> Pa
 
 
 @hinting
-def intersections(mesh: Mesh, x: ArrayLike, threads: int = 1) -> Intersections:
+def intersections(mesh: AnyMesh, x: Optional[ArrayLike] = None, threads: int = 1) -> Intersections:
     """Where the mesh intersects itself at the positions x, exactly; separations do not count.
+
+    Without x they are the mesh's own, as of a MeshFile or a mesh of another package. A Mesh has none.
 
     Returns Intersections, whose attributes are first_element, first, second_element, second, sort, pierces,
     weights_first and weights_second. A sort is 'touches', 'pierces', 'folds' (the elements share a vertex, and a point
@@ -100,22 +105,22 @@ def intersections(mesh: Mesh, x: ArrayLike, threads: int = 1) -> Intersections:
     >>> found.first_element[0], found.first.tolist(), found.second_element[0], found.pierces.tolist()
     ('edge', [0], 'face', [True])
     """
-    return _core.intersections(mesh, x, threads)
+    return _core.intersections(*with_positions(mesh, x, "x"), threads)
 
 
 @hinting
-def intersects(mesh: Mesh, x: ArrayLike, threads: int = 1) -> bool:
+def intersects(mesh: AnyMesh, x: Optional[ArrayLike] = None, threads: int = 1) -> bool:
     """Whether `intersections` finds any. It ends at the first one that it meets. Raises what `first_contact` raises.
 
     >>> import touchstone
     >>> touchstone.intersects(touchstone.Mesh(2), [[0, 0, 0], [0, 0, 0]])
     True
     """
-    return _core.intersects(mesh, x, threads)
+    return _core.intersects(*with_positions(mesh, x, "x"), threads)
 
 
 @hinting
-def free_step(mesh: Mesh, x0: ArrayLike, x1: ArrayLike, kept_fraction: float = 0.0, threads: int = 1, *,
+def free_step(mesh: AnyMesh, x0: ArrayLike, x1: ArrayLike, kept_fraction: float = 0.0, threads: int = 1, *,
               check_start: bool = False, float32: bool = False) -> FreeStep:
     """The longest step from x0 towards x1 that is proved free of contact, to positions rounded as they are returned.
 
