@@ -26,5 +26,7 @@ void define_fuzzing(py::module_& module);
 void define_pages(py::module_& module);
 /// `mesh_page`, which is None there, too.
 void define_mesh_pages(py::module_& module);
+/// Makes one line of what pybind11 says of arguments that do not fit, for each function and method of the module.
+void shorten_messages(const py::module_& module);
 
 }  // namespace touchstone::python

@@ -40,13 +40,25 @@ bool is_bool(const py::object& value) {
   return PyBool_Check(value.ptr()) || py::isinstance(value, py::module_::import("numpy").attr("bool_"));
 }
 
-double time_of(const py::object& value) {
-  if (is_bool(value)) throw std::runtime_error("the solver returned a bool as a time");
-  if (py::isinstance<py::array>(value)) {
-    throw std::runtime_error("the solver returned an array; a bool, a time, None or a tuple (contact, toi) is a reply");
-  }
+/// @throws TypeError  always: the solver's reply is none
+[[noreturn]] void refuse(const py::object& reply) {
+  PyErr_Format(
+      PyExc_TypeError,
+      "the solver returned %.80R, of type %s; its reply must be a bool, a time, None for no contact, or a tuple "
+      "(contact, toi) of a bool and a time or None",
+      reply.ptr(), Py_TYPE(reply.ptr())->tp_name);
+  throw py::error_already_set();
+}
+
+/// @param reply  what has the time
+double time_of(const py::object& value, const py::object& reply) {
+  if (is_bool(value) || py::isinstance<py::array>(value)) refuse(reply);
   const double time = PyFloat_AsDouble(value.ptr());
-  if (time == -1 && PyErr_Occurred() != nullptr) throw py::error_already_set();
+  if (time == -1 && PyErr_Occurred() != nullptr) {
+    if (PyErr_ExceptionMatches(PyExc_TypeError) == 0) throw py::error_already_set();
+    PyErr_Clear();
+    refuse(reply);
+  }
   return time;
 }
 
@@ -56,14 +68,12 @@ Claim claim_of(const py::object& reply) {
   if (is_bool(reply)) return {reply.cast<bool>(), std::nullopt};
   if (py::isinstance<py::tuple>(reply)) {
     const auto pair = reply.cast<py::tuple>();
-    if (pair.size() != 2 || !is_bool(pair[0])) {
-      throw std::runtime_error("the solver returned a tuple that is not (contact, toi) with a bool first");
-    }
+    if (pair.size() != 2 || !is_bool(pair[0])) refuse(reply);
     const py::object time = pair[1];
     const bool contact = py::object(pair[0]).cast<bool>();
-    return {contact, time.is_none() || !contact ? std::nullopt : std::optional(time_of(time))};
+    return {contact, time.is_none() || !contact ? std::nullopt : std::optional(time_of(time, reply))};
   }
-  return {true, time_of(reply)};
+  return {true, time_of(reply, reply)};
 }
 
 /// The function under test.
@@ -117,9 +127,12 @@ class AskedFunction {
   std::string first_text_;
 };
 
-template <class Number>
-std::optional<Number> number_or_none(py::handle value) {
-  return value.is_none() ? std::nullopt : std::optional(value.cast<Number>());
+std::optional<std::uint64_t> ulps_or_none(py::handle value) {
+  return value.is_none() ? std::nullopt : std::optional(value.cast<std::uint64_t>());
+}
+
+std::optional<double> fraction_or_none(py::handle value, const char* what) {
+  return value.is_none() ? std::nullopt : std::optional(number_of(value, what));
 }
 
 FuzzReport fuzz(const py::object& solver, py::handle kinds, py::handle families, py::handle cases, py::handle seed,
@@ -136,11 +149,11 @@ FuzzReport fuzz(const py::object& solver, py::handle kinds, py::handle families,
   options.climb = climb.cast<std::uint64_t>();
   options.findings = findings.cast<std::size_t>();
   options.separation = separation_of(distance, metric, 0, true).separation;
-  options.early_ulps = number_or_none<std::uint64_t>(early_ulps);
-  options.early_fraction = number_or_none<double>(early_fraction);
-  options.late_ulps = number_or_none<std::uint64_t>(late_ulps);
-  options.late_fraction = number_or_none<double>(late_fraction);
-  options.near = near.cast<double>();
+  options.early_ulps = ulps_or_none(early_ulps);
+  options.early_fraction = fraction_or_none(early_fraction, "early_fraction");
+  options.late_ulps = ulps_or_none(late_ulps);
+  options.late_fraction = fraction_or_none(late_fraction, "late_fraction");
+  options.near = number_of(near, "near");
   if (!failures.is_none()) {
     for (const py::handle name : failures) {
       const auto failure = from_name<FuzzFailure>(name.cast<std::string>());

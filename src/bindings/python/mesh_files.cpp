@@ -111,8 +111,9 @@ std::vector<std::string> frame_files(const std::vector<std::string>& names, bool
 void define_mesh_files(py::module_& module) {
   define_class<MeshReader>(module, "MeshReader", "Reads mesh files: one, or the frames of one animation.")
       .def(py::init([](bool triangulate, bool weld, bool drop_degenerate) {
-        return MeshReader(triangulate, {weld, false, drop_degenerate});
-      }))
+             return MeshReader(triangulate, {weld, false, drop_degenerate});
+           }),
+           py::arg("triangulate"), py::arg("weld"), py::arg("drop_degenerate"))
       .def("read", &MeshReader::read)
       .def("check_elements", &MeshReader::check_elements);
   module.def("frame_files", &frame_files);

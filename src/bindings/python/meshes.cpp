@@ -159,30 +159,38 @@ auto of_positions(const Ask& ask) {
 void define_meshes(py::module_& module) {
   define_mesh_results(module);
   define_steps(module);
+  const py::arg of("mesh"), at("x"), from("x0"), to("x1"), until("t_max"), threads("threads"), check("check_start");
   module.def("first_contact",
              of_step([](const Mesh& mesh, const Positions& x0, const Positions& x1,
-                        const FirstContactOptions& options) { return first_contact(mesh, x0, x1, options); }));
+                        const FirstContactOptions& options) { return first_contact(mesh, x0, x1, options); }),
+             of, from, to, until, threads, check);
   module.def("all_contacts",
              of_step([](const Mesh& mesh, const Positions& x0, const Positions& x1, const StepOptions& options) {
                return pairs_of(all_contacts(mesh, x0, x1, options));
-             }));
+             }),
+             of, from, to, until, threads, check);
   module.def("closest_approach",
              of_step([](const Mesh& mesh, const Positions& x0, const Positions& x1, const StepOptions& options) {
                return closest_approach(mesh, x0, x1, options);
-             }));
+             }),
+             of, from, to, until, threads, check);
   module.def("candidates",
              of_step([](const Mesh& mesh, const Positions& x0, const Positions& x1, const MeshOptions& options) {
                return Pairs{candidates(mesh, x0, x1, options), {}, {}};
-             }));
+             }),
+             of, from, to, until, threads, check);
   module.def("intersections", of_positions([](const Mesh& mesh, const Positions& x, const MeshOptions& options) {
                return Intersections{intersections(mesh, x, options)};
-             }));
+             }),
+             of, at, threads);
   module.def("intersects", of_positions([](const Mesh& mesh, const Positions& x, const MeshOptions& options) {
                return intersects(mesh, x, options);
-             }));
+             }),
+             of, at, threads);
   module.def("free_step",
              of_free_step<const Mesh>([](const Mesh& mesh, const Positions& x0, const Positions& x1,
-                                         const FreeStepOptions& options) { return free_step(mesh, x0, x1, options); }));
+                                         const FreeStepOptions& options) { return free_step(mesh, x0, x1, options); }),
+             of, from, to, py::arg("kept_fraction"), threads, check, py::arg("float32"));
 }
 
 }  // namespace touchstone::python

@@ -41,4 +41,5 @@ PYBIND11_MODULE(_core, module) {
 #else
   for (const char* name : {"page", "claims_page", "mesh_page"}) module.attr(name) = pybind11::none();
 #endif
+  python::shorten_messages(module);
 }

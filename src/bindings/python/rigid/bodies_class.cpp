@@ -293,10 +293,10 @@ void define_bodies(py::module_& module) {
       .def(
           "separation_of",
           [](const Bodies& self, const py::object& pair) { return separation_of(self, body_pair_of(pair)).distance; },
-          "The separation of a pair (kind, (body, first), (body, second)), with the radii.")
+          py::arg("pair"), "The separation of a pair (kind, (body, first), (body, second)), with the radii.")
       .def(
           "describe", [](const Bodies& self, const py::object& pair) { return describe(self, body_pair_of(pair)); },
-          "A pair for a person: 'edge 7 (3-4) of body 0 and edge 9 (10-11) of body 2'.")
+          py::arg("pair"), "A pair for a person: 'edge 7 (3-4) of body 0 and edge 9 (10-11) of body 2'.")
       .def("__repr__", [](const Bodies& self) {
         const std::size_t excluded = rigid::CollidingBodies(self).excluded();
         return "<Bodies: " + std::to_string(self.bodies.size()) +

@@ -88,10 +88,10 @@ def fuzz(solver: Callable[[str, NDArray[np.float64], NDArray[np.float64]], Any],
     >>> report.failures > 0, sorted({finding.failure for finding in report.findings})
     (True, ['missed', 'phantom'])
     """
-    def number(value, convert):
-        return None if value is None else convert(value)
+    def ulps(value, name):
+        return None if value is None else _whole(value, name)
+
     return _core.fuzz(solver, _words(kinds, "kinds"), _words(families, "families"), _whole(cases, "cases", 1),
                       _whole(seed, "seed"), _whole(climb, "climb"), separation, metric,
-                      number(early_ulps, lambda ulps: _whole(ulps, "early_ulps")), number(early_fraction, float),
-                      number(late_ulps, lambda ulps: _whole(ulps, "late_ulps")), number(late_fraction, float),
-                      float(near), _words(failures, "failures"), _whole(findings, "findings"))
+                      ulps(early_ulps, "early_ulps"), early_fraction, ulps(late_ulps, "late_ulps"), late_fraction,
+                      near, _words(failures, "failures"), _whole(findings, "findings"))
