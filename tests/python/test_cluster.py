@@ -121,7 +121,7 @@ def test_errors_name_the_part_and_the_row():
     with pytest.raises(ValueError):
         cluster.steps(pool, {"vertices": 3}, frame, -1)
     with pytest.raises(TypeError, match="part 0: contact"):
-        cluster.certify(pool, KIND, [(start[:50], end[:50], [1] * 50)])
+        cluster.certify(pool, KIND, [(start[:50], end[:50], [2] * 50)])
 
 
 @pytest.fixture(scope="module")

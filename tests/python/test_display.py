@@ -100,7 +100,7 @@ def test_pages_of_findings_and_what_has_none(tmp_path):
         ts.save_page(report, tmp_path)
     assert [path.name for path in tmp_path.iterdir()] == ["one.html"]
     with pytest.raises(ValueError, match="put together from parts"):
-        ts.Certificate(np.zeros(1, np.uint8), None, np.zeros(1), np.zeros(1, bool)).page()
+        ts.Certificate(np.zeros(1, np.uint8), None, np.zeros(1, bool), np.zeros(1), np.zeros(1, bool)).page()
 
 
 def test_mesh_results():

@@ -8,10 +8,10 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _core
-from ._arrays import unmasked
+from ._arrays import elements, exact_doubles, unmasked
 from ._core import Answer, Answers
 from ._fuzzing import _whole, _words
-from ._hints import hinting
+from ._hints import hinting, shown
 from ._names import _Named
 from ._pages import there
 from ._queries import Kind, Metric, solve
@@ -34,19 +34,28 @@ class Verdict(_Named):
 _MOST_SHOWN = 32
 
 
+def _doubles_between(low, high):
+    """How many doubles `high`, which is not negative, comes after `low`."""
+    bits, end = (np.ascontiguousarray(x, np.float64).view(np.int64) for x in (low, high))
+    below_zero = np.where(bits < 0, bits & np.int64(2**63 - 1), 0)
+    return (end - np.maximum(bits, 0)).astype(np.float64) + below_zero
+
+
 @dataclass(frozen=True)
 class Certificate:
     """The verdicts on n claims. It is true when `holds` is.
 
     verdict  (n,) uint8: codes of Verdict
     truth    the exact Answers
-    early    (n,) float64: for claims that hold and have a toi, how far it lies before truth.toi; NaN for the others
+    claimed  (n,) bool: whether the claim has a contact
+    claimed_toi  (n,) float64: its time; NaN without one
     not_counted  (n,) bool: wrong claims that do not count as refuted, by late_ulps, late_fraction and classes
     """
 
     verdict: NDArray
     truth: Answers
-    early: NDArray
+    claimed: NDArray
+    claimed_toi: NDArray
     not_counted: NDArray
     _shown: Optional[List[Tuple]] = field(default=None, repr=False, compare=False)  # the cards of page()
 
@@ -63,6 +72,23 @@ class Certificate:
         """The indices of the wrong claims that count, in ascending order."""
         return np.flatnonzero((self.verdict != Verdict.holds) & ~self.not_counted)
 
+    def _of(self, verdict, values):
+        return np.where(self.claimed & (self.verdict == verdict), values, np.nan)
+
+    def _after(self):
+        """How far each claimed time lies after the exact one; NaN where one is missing."""
+        return self.claimed_toi - np.where(self.truth.contact, self.truth.toi, np.nan)
+
+    @property
+    def early(self) -> NDArray:
+        """(n,) float64: for claims that hold and have a toi, how far it lies before truth.toi; NaN for the others."""
+        return self._of(Verdict.holds, -self._after())
+
+    @property
+    def late(self) -> NDArray:
+        """(n,) float64: for claims that are late, how far the toi lies after truth.toi; NaN for the others."""
+        return self._of(Verdict.late, self._after())
+
     def count(self, verdict: Verdict) -> int:
         """The number of claims with this verdict."""
         return int((self.verdict == verdict).sum())
@@ -74,12 +100,17 @@ class Certificate:
                 (f"; {left_out} wrong but not counted" if left_out else ""))
 
     def to_pandas(self) -> Any:
-        """A pandas.DataFrame with a row for each claim: its verdict, whether it is refuted, early, and the columns of
-        `truth.to_pandas()`. Raises ImportError without pandas."""
+        """A pandas.DataFrame with a row for each claim: its verdict, whether it is refuted, its contact and toi as
+        claimed and claimed_toi, how far the toi is early or late, as a time and in ulps, the doubles from the one to
+        the other, and the columns of `truth.to_pandas()`. Raises ImportError without pandas."""
         refuted = np.zeros(len(self.verdict), bool)
         refuted[self.refuted] = True
-        return frame({"verdict": Verdict.names(self.verdict), "refuted": refuted, "early": self.early,
-                      **answer_columns(self.truth)})
+        early_ulps = _doubles_between(self.claimed_toi, self.truth.toi)
+        late_ulps = _doubles_between(self.truth.toi, self.claimed_toi)
+        return frame({"verdict": Verdict.names(self.verdict), "refuted": refuted, "claimed": self.claimed,
+                      "claimed_toi": self.claimed_toi, "early": self.early, "late": self.late,
+                      "early_ulps": np.where(np.isnan(self.early), np.nan, early_ulps),
+                      "late_ulps": np.where(np.isnan(self.late), np.nan, late_ulps), **answer_columns(self.truth)})
 
     def page(self) -> str:
         """The text of an HTML file: the first 32 refuted claims, each with its moving picture and the exact answer.
@@ -110,6 +141,75 @@ def _cards(kind, asked, claimed, times, verdict, refuted):
              f"query {i}: {Verdict(verdict[i])}, {kind.replace('_', '-')}", "", "") for k, i in enumerate(rows)]
 
 
+def _listed(values):
+    """The elements of what may have None in it: a list, a tuple, or an array of objects. None of other things."""
+    if isinstance(values, (list, tuple)):
+        return list(values)
+    return list(values) if getattr(values, "dtype", None) == object and np.ndim(values) == 1 else None
+
+
+_BOOLS, _WHOLE = (bool, np.bool_), (int, np.integer)
+
+
+def _reply(reply):
+    """(contact, toi) of a reply as `fuzz` takes it, NaN without a time; None of what is no reply."""
+    flag, time = reply if isinstance(reply, tuple) and len(reply) == 2 else (True, reply)
+    if reply is None or isinstance(reply, _BOOLS):
+        flag, time = bool(reply), None
+    if not isinstance(flag, _BOOLS):
+        return None
+    if time is None or not flag:
+        return flag, np.nan
+    return (flag, float(time)) if hasattr(time, "__float__") and not isinstance(time, _WHOLE) else None
+
+
+def _split_replies(contact, toi):
+    """(contact, toi) of replies; of bools, or of 0 and 1, as they are."""
+    replies = _listed(contact)
+    if replies is None or all(isinstance(reply, _BOOLS + _WHOLE) for reply in replies):
+        return contact, toi
+    if toi is not None:
+        raise TypeError("contact has times of its own, so toi must be None")
+    if all(isinstance(reply, (float, np.floating)) and reply in (0, 1) for reply in replies):
+        raise TypeError("contact is a list of 0.0 and 1.0, which may be times or not; give bools, and times as toi")
+    claims = [_reply(reply) for reply in replies]
+    for i, claim in enumerate(claims):
+        if claim is None:
+            raise TypeError(f"contact[{i}] {shown(replies[i])}, and is no reply; it must be a time as a float, None "
+                            "for no contact, a bool, or a tuple (contact, toi)")
+        if np.isnan(claim[1]) and isinstance(replies[i], (float, np.floating)):
+            raise ValueError(f"contact[{i}] is NaN; it must be a time, or None for no contact")
+    return np.array([flag for flag, _ in claims]), np.array([time for _, time in claims])
+
+
+def _claims(contact, toi, count):
+    """The claims about `count` queries: bools, and times that are NaN where there is none."""
+    contact, toi = _split_replies(contact, toi)
+    claimed = unmasked(contact, "contact")
+    if claimed.size == 0 or claimed.dtype.kind in "iu" and ((claimed == 0) | (claimed == 1)).all():
+        claimed = claimed == 1
+    if claimed.dtype.kind != "b":
+        raise TypeError(f"contact has {elements(claimed)}; they must be bools, or 0 and 1" +
+                        (". Of times that are NaN without contact, ~numpy.isnan(times) is contact, and they are toi"
+                         if claimed.dtype.kind == "f" else ""))
+    if claimed.shape != (count,):
+        raise ValueError(f"contact has the shape {claimed.shape}; it must be ({count},), a claim for each query")
+    times = np.full(count, np.nan)
+    if toi is not None:
+        listed = _listed(toi) or []
+        if any(time is None for time in listed):
+            toi = np.array([np.nan if time is None else time for time in listed], object)
+        given = exact_doubles(toi, "toi")
+        if given.shape != times.shape:
+            raise ValueError(f"toi has the shape {given.shape}; it must be {times.shape}, a time for each query")
+        times[claimed] = given[claimed]
+    infinite = np.flatnonzero(np.isinf(times))
+    if infinite.size:
+        row = infinite[0]
+        raise ValueError(f"row {row}: the claimed toi is {times[row]}; it must be finite, or NaN for none")
+    return claimed, times
+
+
 @hinting
 def certify(kind: Kind, start: ArrayLike, end: ArrayLike, contact: ArrayLike, toi: Optional[ArrayLike] = None,
             t_max: float = 1.0, separation: ArrayLike = 0.0, metric: Metric = "euclidean",
@@ -117,17 +217,18 @@ def certify(kind: Kind, start: ArrayLike, end: ArrayLike, contact: ArrayLike, to
             classes: Optional[Iterable[Union[str, Verdict]]] = None) -> Certificate:
     """Judges a solver's claims about n queries by their exact answers.
 
-    contact  (n,) bool: whether the solver claims a contact
-    toi      (n,) numbers: the claimed times of impact; None where the solver gives none. NaN is a claim without a time.
-             Times of claims without contact are not read
+    contact  (n,) bool, or 0 and 1: whether the solver claims a contact. Or a list of replies, as `fuzz` takes them:
+             each a time, None for no contact, a bool, or a tuple (contact, toi)
+    toi      (n,) numbers: the claimed times of impact; None where the solver gives none. NaN and None are a claim
+             without a time. Times of claims without contact are not read
     late_ulps, late_fraction  as in `fuzz`: how far after the exact time a claimed one may be and not count as refuted,
              in doubles and as a fraction of the step; without them each late claim counts
     classes  the verdicts that count as refuted, such as ['missed', 'late']; all by default
     The other arguments are those of `solve`, with n queries.
 
-    Returns a Certificate with the attributes verdict, truth, early, not_counted, holds and refuted; `save_page` makes a
-    page of the refuted claims. Raises what `solve` raises, and ValueError for claims that are not n, or a claimed time
-    that is infinite.
+    Returns a Certificate with the attributes verdict, truth, claimed, claimed_toi, early, late, not_counted, holds and
+    refuted; `save_page` makes a page of the refuted claims. Raises what `solve` raises, and ValueError for claims that
+    are not n, or a claimed time that is infinite.
 
     >>> import numpy as np, touchstone
     >>> start, end = np.zeros((3, 2, 3)), np.zeros((3, 2, 3))
@@ -140,26 +241,9 @@ def certify(kind: Kind, start: ArrayLike, end: ArrayLike, contact: ArrayLike, to
     truth = solve(kind, start, end, t_max, separation, metric, threads)
     if isinstance(truth, Answer):
         raise ValueError("start has a single query; certify takes arrays of shape (n, corners, 3), and n claims")
-    claimed = unmasked(contact, "contact")
-    if claimed.dtype.kind != "b":
-        raise TypeError(f"contact has elements of type {claimed.dtype}; they must be bool")
-    if claimed.shape != (len(truth),):
-        raise ValueError(f"contact has the shape {claimed.shape}; it must be ({len(truth)},), a claim for each query")
-    times = np.full(len(truth), np.nan)
-    if toi is not None:
-        given = unmasked(toi, "toi")
-        if given.dtype.kind not in "fiu" or given.dtype.itemsize > 8:
-            raise TypeError(f"toi has elements of type {given.dtype}; they must be doubles")
-        if given.shape != times.shape:
-            raise ValueError(f"toi has the shape {given.shape}; it must be {times.shape}, a time for each query")
-        times[claimed] = given[claimed]
-        infinite = np.flatnonzero(np.isinf(times))
-        if infinite.size:
-            row = infinite[0]
-            raise ValueError(f"row {row}: the claimed toi is {times[row]}; it must be finite, or NaN for none")
+    claimed, times = _claims(contact, toi, len(truth))
     ulps = None if late_ulps is None else _whole(late_ulps, "late_ulps")
     verdict, not_counted = _core.judge(truth, claimed, times, ulps, late_fraction, _words(classes, "classes"))
-    early = np.where(claimed & (verdict == Verdict.holds), truth.toi - times, np.nan)
     asked = (start, end, t_max, np.broadcast_to(np.asarray(separation, float), verdict.shape), metric)
-    found = Certificate(verdict, truth, early, not_counted)
+    found = Certificate(verdict, truth, claimed, times, not_counted)
     return replace(found, _shown=_cards(kind, asked, claimed, times, verdict, found.refuted))

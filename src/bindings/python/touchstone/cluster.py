@@ -100,11 +100,11 @@ def solve(client: Any, kind: Kind, parts: Sequence, **options: Any) -> np.recarr
 
 
 def certify_part(kind: Kind, start: NDArray, end: NDArray, contact: NDArray, toi: Optional[NDArray] = None,
-                 **options: Any) -> Tuple[NDArray, NDArray, NDArray, NDArray]:
-    """`touchstone.certify` of n claims: (verdict, truth as of `solve_part`, early, not_counted). Errors are those of
-    it."""
+                 **options: Any) -> Tuple[NDArray, NDArray, NDArray, NDArray, NDArray]:
+    """`touchstone.certify` of n claims: (verdict, truth as of `solve_part`, claimed, claimed_toi, not_counted). Errors
+    are those of it."""
     found = _judging.certify(kind, start, end, contact, toi, **options)
-    return found.verdict, _rows(found.truth), found.early, found.not_counted
+    return found.verdict, _rows(found.truth), found.claimed, found.claimed_toi, found.not_counted
 
 
 def certify(client: Any, kind: Kind, parts: Sequence, **options: Any) -> Certificate:
@@ -120,9 +120,10 @@ def certify(client: Any, kind: Kind, parts: Sequence, **options: Any) -> Certifi
     <Certificate: 4 holds, 1 missed, 0 phantom, 0 late>
     """
     found = _run(client, partial(certify_part, kind, **options), parts)
-    verdict, truth, early, not_counted = zip(*found) if found else ([], [], [], [])
+    verdict, truth, claimed, times, not_counted = zip(*found) if found else ([], [], [], [], [])
     return Certificate(np.concatenate([np.empty(0, np.uint8), *verdict]), _joined(truth),
-                       np.concatenate([np.empty(0), *early]), np.concatenate([np.empty(0, bool), *not_counted]))
+                       np.concatenate([np.empty(0, bool), *claimed]), np.concatenate([np.empty(0), *times]),
+                       np.concatenate([np.empty(0, bool), *not_counted]))
 
 
 def _tally(certificate):
