@@ -92,10 +92,16 @@ def test_pages_of_findings_and_what_has_none(tmp_path):
     assert "none: it crashed" in whole and "ZeroDivisionError" in whole
     name = ts.save_page(report.findings[0], str(tmp_path / "one.html"))
     assert name.read_text(encoding="utf-8").startswith("<!doctype html>")
-    with pytest.raises(TypeError, match="int has no page"):
+    with pytest.raises(TypeError, match="thing is 3, which has no page"):
         ts.save_page(3, tmp_path / "none.html")
     with pytest.raises(OSError):
         ts.save_page(report, tmp_path / "no-folder" / "page.html")
+    for file in ("page.png", "page.CSV", "page.html.gz"):
+        with pytest.raises(ValueError, match=f"{file} has the ending of another format.*name it .*html"):
+            ts.save_page(report, tmp_path / file)
+        assert not (tmp_path / file).exists()
+    for file in ("page", "page.v2", "page.htm"):
+        ts.save_page(report, tmp_path / file).unlink()
     with pytest.raises(OSError):
         ts.save_page(report, tmp_path)
     assert [path.name for path in tmp_path.iterdir()] == ["one.html"]

@@ -1,9 +1,12 @@
 """Pages as files. SPDX-License-Identifier: MIT"""
 from __future__ import annotations
 
+import mimetypes
 import os
 from pathlib import Path
 from typing import Any, Protocol, Union
+
+from ._hints import shown
 
 
 class HasPage(Protocol):
@@ -24,10 +27,11 @@ def save_page(thing: HasPage, file: Union[str, "os.PathLike[str]"]) -> Path:
     """Writes the page of something into an HTML file, which a browser opens from disk and which needs nothing else.
 
     thing  what `show`, `show_mesh`, `certify` or `fuzz` returned, or a Finding: anything that has a method `page`
-    file   the name of the file; one that is there is replaced
+    file   the name of the file, such as refuted.html; one that is there is replaced
 
     Returns the file's Path. The file appears whole or not at all. Raises TypeError for a thing without a page,
-    RuntimeError in a build without pages, and OSError where the file cannot be written.
+    ValueError for a name with the ending of another format, RuntimeError in a build without pages, and OSError where
+    the file cannot be written.
 
     >>> import tempfile, touchstone
     >>> found = touchstone.certify('point-point', [[[0, 0], [2, 0]]], [[[4, 0], [2, 0]]], [False])
@@ -36,8 +40,12 @@ def save_page(thing: HasPage, file: Union[str, "os.PathLike[str]"]) -> Path:
     'refuted.html'
     """
     if not callable(getattr(thing, "page", None)):
-        raise TypeError(f"a {type(thing).__name__} has no page; show, show_mesh, certify and fuzz return what has one")
+        raise TypeError(f"thing {shown(thing)}, which has no page; show, show_mesh, certify and fuzz return what has "
+                        "one")
     path = Path(file)
+    if mimetypes.guess_type(path.name) not in ((None, None), ("text/html", None)):
+        raise ValueError(f"{path} has the ending of another format; what is written is a page, HTML with pictures "
+                         f"(SVG) in it: name it {path.with_suffix('.html')}")
     text = thing.page()
     part = path.with_name(f"{path.name}.{os.getpid()}.part")
     try:
