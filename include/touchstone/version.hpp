@@ -14,3 +14,7 @@ const char* version() noexcept;
 
 }  // namespace TOUCHSTONE_ABI
 }  // namespace touchstone
+
+#if __cplusplus < 201703L  // there is no std::optional then, and the compiler's own messages would name that
+#error "Touchstone's headers need C++17 or later: compile with -std=c++17"
+#endif

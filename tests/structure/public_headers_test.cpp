@@ -80,6 +80,12 @@ TEST_CASE("a header that does not compile by itself, or warns, is found") {
   CHECK(compile("template <class T> concept Any = true;", "-std=c++17" + kStrict).status != 0);
 }
 
+TEST_CASE("an older standard than C++17 is told by its name") {
+  const ShellResult result = compile("#include <touchstone/mesh.hpp>", "-std=c++14 -fsyntax-only");
+  CHECK(result.status != 0);
+  CHECK(result.output.find("Touchstone's headers need C++17 or later") != std::string::npos);
+}
+
 TEST_CASE("public headers bring no header of CGAL, GMP, MPFR or Boost along", "[slow]") {
   const auto reads_number_library = [](const std::string& header) {
     // Line markers name the files that are read. (-M of clang also lists those that __has_include only looks for.)
