@@ -110,7 +110,7 @@ def test_kinds_have_the_names_of_others(kind, names):
         assert [repr(a) for a in ts.solve(name, start, end)] == [repr(a) for a in ts.solve(kind, start, end)]
     with pytest.raises(ValueError, match="kind is 'edge-face'; it must be one of 'edge-edge'"):
         ts.solve("edge-face", start, end)
-    with pytest.raises(ValueError, match="face-vertex is called vertex-face, and its corners come in the order v f0 f1"):
+    with pytest.raises(ValueError, match="face-vertex is called vertex-face, and its corners come in the order v f0"):
         ts.solve("face_vertex", start, end)
 
 

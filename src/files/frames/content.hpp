@@ -36,8 +36,8 @@ std::optional<Format> known_format_of(const std::string& file);
 /// have such names, too, so that these are no endings of frames.
 bool has_text_rows(const std::string& file);
 
-/// What is wrong with a mesh file of another format that people have, .fbx or .step, say, and how it becomes one that is
-/// read; empty for every other ending.
+/// What is wrong with a mesh file of another format that people have, .fbx or .step, say, and how it becomes one that
+/// is read; empty for every other ending.
 std::string fault_of_unread_format(const std::string& file);
 
 /// The same as known_format_of(). @throws FileError  for other endings, and where there is no file
