@@ -10,13 +10,13 @@ namespace checker {
 /// The files of the frames. The vertices of a frame are those of one file, or of several parts one after the other.
 class FrameFiles {
  public:
-  /// A part of the mesh. One file, beside other parts, is at rest.
-  void add(const std::string& pattern) { parts_.push_back({files_of(pattern), "", {}}); }
+  /// The files of a part of the mesh. One file, beside other parts, is at rest.
+  void add(const std::string& pattern) { sequences_.push_back({files_of(pattern), "", {}}); }
 
-  bool empty() const { return parts_.empty(); }
+  bool empty() const { return sequences_.empty(); }
   std::size_t file_count() const {
     std::size_t count = 0;
-    for (const Part& part : parts_) count += part.files.size();
+    for (const Sequence& sequence : sequences_) count += sequence.files.size();
     return count;
   }
 
@@ -29,17 +29,17 @@ class FrameFiles {
     if (motion.body_count() > 0) throw Rejected("a motion with bodies has poses; --frames compares vertices");
     const Elements elements(motion);
     std::uint32_t first = 0;
-    for (Part& part : parts_) {
-      if (frame >= part.files.size() && !is_at_rest(part))
+    for (Sequence& sequence : sequences_) {
+      if (frame >= sequence.files.size() && !is_at_rest(sequence))
         throw Rejected("the motion has more frames than --frames names files");
-      const std::string& file = part.files[is_at_rest(part) ? 0 : frame];
-      if (part.name != file) part.mesh = read_mesh(file);
-      part.name = file;
-      compare(motion.coordinates(end), elements, part, first, file + " and frame " + std::to_string(frame) + ": ");
-      first += static_cast<std::uint32_t>(part.mesh.positions.size() / 3);
+      const std::string& file = sequence.files[is_at_rest(sequence) ? 0 : frame];
+      if (sequence.name != file) sequence.mesh = read_mesh(file);
+      sequence.name = file;
+      compare(motion.coordinates(end), elements, sequence, first, file + " and frame " + std::to_string(frame) + ": ");
+      first += static_cast<std::uint32_t>(sequence.mesh.positions.size() / 3);
     }
     const std::string what = "frame " + std::to_string(frame) + ": ";
-    require(first == motion.vertex_count(), parts_.back().name + " and " + what + std::to_string(first) +
+    require(first == motion.vertex_count(), sequences_.back().name + " and " + what + std::to_string(first) +
                                                 " vertices, and " + std::to_string(motion.vertex_count()));
     const auto [corners, sides] = motion.undeclared();
     require(corners == 0, what + counted(corners, "corner is no point", "corners are no points"));
@@ -48,13 +48,13 @@ class FrameFiles {
 
   /// @throws Rejected if there are more files than frames
   void check_count(std::size_t frames) const {
-    for (const Part& part : parts_) {
-      require(part.files.size() <= frames, "--frames names more files than the motion has frames");
+    for (const Sequence& sequence : sequences_) {
+      require(sequence.files.size() <= frames, "--frames names more files than the motion has frames");
     }
   }
 
  private:
-  struct Part {
+  struct Sequence {
     std::vector<std::string> files;
     std::string name;  ///< of the file that was read last
     MeshFile mesh;
@@ -80,11 +80,11 @@ class FrameFiles {
   static void require(bool holds, const std::string& reason) {
     if (!holds) throw Rejected(reason);
   }
-  bool is_at_rest(const Part& part) const { return parts_.size() > 1 && part.files.size() == 1; }
+  bool is_at_rest(const Sequence& sequence) const { return sequences_.size() > 1 && sequence.files.size() == 1; }
 
-  static void compare(const std::vector<Number>& coordinates, const Elements& elements, const Part& part,
+  static void compare(const std::vector<Number>& coordinates, const Elements& elements, const Sequence& sequence,
                       std::uint32_t first, const std::string& what) {
-    const MeshFile& mesh = part.mesh;
+    const MeshFile& mesh = sequence.mesh;
     const std::size_t begin = 3 * std::size_t{first}, end = begin + mesh.positions.size();
     require(end <= coordinates.size(), what + std::to_string(mesh.positions.size() / 3) + " vertices, and " +
                                            std::to_string((coordinates.size() - begin) / 3));
@@ -107,7 +107,7 @@ class FrameFiles {
     }
   }
 
-  std::vector<Part> parts_;
+  std::vector<Sequence> sequences_;
 };
 
 }  // namespace checker

@@ -53,10 +53,10 @@ class MotionPairs : public MotionFile {
       for (const Element& b : second) groups.insert(b.groups.begin(), b.groups.begin() + static_cast<long>(b.size));
       std::map<std::uint32_t, bool> known;  // whether a group is asked about with one of these
       const auto has_partner = [&](std::uint32_t group) {
-        const auto [place, is_new] = known.emplace(group, false);
+        const auto [entry, is_new] = known.emplace(group, false);
         const auto is_asked = [&](std::uint32_t h) { return ignored_.count(side(group, h)) == 0; };
-        if (is_new) place->second = std::any_of(groups.begin(), groups.end(), is_asked);
-        return place->second;
+        if (is_new) entry->second = std::any_of(groups.begin(), groups.end(), is_asked);
+        return entry->second;
       };
       found = std::any_of(first.begin(), first.end(), [&](const Element& a) {
         if (std::none_of(a.groups.begin(), a.groups.begin() + static_cast<long>(a.size), has_partner)) return false;
