@@ -12,6 +12,7 @@ Definition vadd a b := Vector (padd (vx a) (vx b)) (padd (vy a) (vy b)) (padd (v
 Definition vsub a b := Vector (psub (vx a) (vx b)) (psub (vy a) (vy b)) (psub (vz a) (vz b)).
 Definition vscale p a := Vector (pmul p (vx a)) (pmul p (vy a)) (pmul p (vz a)).
 Definition vdot a b := padd (padd (pmul (vx a) (vx b)) (pmul (vy a) (vy b))) (pmul (vz a) (vz b)).
+Definition vsquare a := padd (padd (psquare (vx a)) (psquare (vy a))) (psquare (vz a)).
 Definition vcross a b := Vector
   (psub (pmul (vy a) (vz b)) (pmul (vz a) (vy b)))
   (psub (pmul (vz a) (vx b)) (pmul (vx a) (vz b)))
@@ -23,6 +24,8 @@ Lemma value_sub a b t : value (vsub a b) t = minus (value a t) (value b t).
 Proof. apply point_eq; simpl; apply ev_sub. Qed.
 Lemma value_scale p a t : value (vscale p a) t = scale (ev p t) (value a t).
 Proof. apply point_eq; simpl; apply ev_mul. Qed.
+Lemma ev_vsquare a t : ev (vsquare a) t = dot (value a t) (value a t).
+Proof. unfold vsquare. rewrite !ev_add, !ev_square. reflexivity. Qed.
 Lemma ev_dot a b t : ev (vdot a b) t = dot (value a t) (value b t).
 Proof. unfold vdot, dot; simpl. now rewrite !ev_add, !ev_mul. Qed.
 Lemma value_cross a b t : value (vcross a b) t = cross (value a t) (value b t).

@@ -32,7 +32,7 @@ Definition near_at_root (s : separation) (i : span) (g : poly) (c : vector) (ab 
   | Euclidean D =>
       let d := Zpos (Qden D) in
       Z.leb 0 (Qnum D)
-      && holds_at_root i g (psub (pscale (Qnum D * Qnum D) (pmul ab ab)) (pscale (d * d) (vdot c c)))
+      && holds_at_root i g (psub (pscale (Qnum D * Qnum D) (psquare ab)) (pscale (d * d) (vsquare c)))
   | Max D =>
       let most := pscale (Qnum D) ab in
       forallb (fun x => let y := pscale (Zpos (Qden D)) x in
@@ -92,7 +92,7 @@ Proof.
     apply (multiple_zero _ _ t) in X, Y, Z; auto. apply point_eq; simpl; rewrite ?X, ?Y, ?Z; ring.
   - apply andb_true_iff in H as [P H]. apply Z.leb_le, IZR_le in P. destruct (denominator_positive D) as [Dd Dn].
     set (d := IZR (Zpos (Qden D))) in *. apply holds_at_root_sound in H.
-    rewrite ev_sub, !ev_scale, ev_mul, ev_dot, !mult_IZR, E, Dn in H. fold d in H.
+    rewrite ev_sub, !ev_scale, ev_square, ev_vsquare, !mult_IZR, E, Dn in H. fold d in H.
     assert (0 <= Q2R D) by (apply Rmult_le_reg_r with d; lra).
     unfold near. rewrite <- (sqrt_Rsqr (Q2R D)) by auto. apply sqrt_le_1_alt. unfold Rsqr.
     apply Rmult_le_reg_l with (/ k * / k * (d * d)).

@@ -23,7 +23,9 @@ Definition with_signs (s : Z * Z * Z) (n : vector) : poly :=
   let '(a, b, c) := s in padd (padd (pscale a (vx n)) (pscale b (vy n))) (pscale c (vz n)).
 
 (* Whether the corner b is beyond the corner a along n, or along -n for `negative`, with the separation between them. *)
-Definition beyond (s : separation) (i : span) (is_open negative : bool) (n : vector) (b a : moving) : bool :=
+Definition beyond (s : separation) (i : span) (is_open negative : bool) (n : vector) : moving -> moving -> bool :=
+  let square := match s with Euclidean _ => vsquare n | _ => [] end in
+  fun b a =>
   let product := vdot n (difference b a) in
   let p := if negative then popp product else product in
   match s with
@@ -32,8 +34,8 @@ Definition beyond (s : separation) (i : span) (is_open negative : bool) (n : vec
       let f := factor b a in
       let d := Zpos (Qden D) in
       Z.ltb 0 (value_at (low i) (den i) p)
-      && is_positive i is_open (psub (pscale (d * d) (pmul p p))
-                                  (pscale (Qnum D * Qnum D) (pmul (pmul f f) (vdot n n))))
+      && is_positive i is_open (psub (pscale (d * d) (psquare p))
+                                  (pscale (Qnum D * Qnum D) (pmul (psquare f) square)))
   | Max D =>
       let f := factor b a in
       let q := pscale (Zpos (Qden D)) p in
@@ -102,7 +104,7 @@ Proof.
     assert (K : forall r, start <= r <= t -> Q2R D * Q2R D * dot (value n r) (value n r) < gap r * gap r).
     { intros r R. destruct (E r) as [Fr Vr]; [lra|].
       apply positive_sound with (t := r) in H; [|auto|now apply inside_before with start].
-      rewrite ev_sub, !ev_scale, !ev_mul, ev_dot, !mult_IZR in H. fold dd in H. rewrite Vr, Dn in H.
+      rewrite ev_sub, !ev_scale, ev_mul, !ev_square, ev_vsquare, !mult_IZR in H. fold dd in H. rewrite Vr, Dn in H.
       set (f := ev (factor b a) r) in *. set (nn := dot (value n r) (value n r)) in *.
       assert (0 < f * f * (dd * dd)) by (repeat apply Rmult_lt_0_compat; lra).
       apply Rmult_lt_reg_l with (f * f * (dd * dd)); [auto|]. lra. }
@@ -147,7 +149,8 @@ Definition piece (s : separation) (i : span) (is_open : bool) (A B : list moving
       match along with
       | Along n =>
           let negative := is_negative i n b a in
-          forallb (fun a => forallb (fun b => beyond s i is_open negative n b a) B) A
+          let is_beyond := beyond s i is_open negative n in
+          forallb (fun a => forallb (fun b => is_beyond b a) B) A
       | Normal =>
           match normal A B with
           | Some n => beyond s i is_open (is_negative i n b a) n b a

@@ -10,7 +10,7 @@ Fixpoint ev (p : poly) (t : R) : R := match p with [] => 0 | c :: p' => IZR c + 
 
 Fixpoint padd (p q : poly) : poly :=
   match p, q with [], _ => q | _, [] => p | a :: p', b :: q' => (a + b)%Z :: padd p' q' end.
-Definition pscale (k : Z) (p : poly) : poly := map (Z.mul k) p.
+Definition pscale (k : Z) (p : poly) : poly := map (fun a => a * k)%Z p.
 Definition popp (p : poly) : poly := map Z.opp p.
 Fixpoint psub (p q : poly) : poly :=
   match p, q with [], _ => popp q | _, [] => p | a :: p', b :: q' => (a - b)%Z :: psub p' q' end.
@@ -19,10 +19,13 @@ Fixpoint padd_scaled (k : Z) (p q : poly) : poly :=
   match p, q with
   | [], _ => q
   | _, [] => pscale k p
-  | a :: p', b :: q' => (k * a + b)%Z :: padd_scaled k p' q'
+  | a :: p', b :: q' => (a * k + b)%Z :: padd_scaled k p' q'
   end.
 Fixpoint pmul (p q : poly) : poly :=
   match p, q with a :: p', b :: q' => (a * b)%Z :: padd_scaled a q' (pmul p' q) | _, _ => [] end.
+(* As many coefficients as pmul p p, with half of its multiplications. *)
+Fixpoint psquare (p : poly) : poly :=
+  match p with [] => [] | [a] => [(a * a)%Z] | a :: p' => (a * a)%Z :: padd_scaled (2 * a) p' (0%Z :: psquare p') end.
 Definition is_zero (p : poly) : bool := forallb (fun c => Z.eqb c 0) p.
 Fixpoint equal (p q : poly) : bool :=
   match p, q with [], [] => true | a :: p', b :: q' => Z.eqb a b && equal p' q' | _, _ => false end.
@@ -111,6 +114,12 @@ Proof.
   replace (x * (IZR c * x ^ length p + x * t * ev2 p x (x * t)))
     with (IZR c * (x * x ^ length p) + x * t * (x * ev2 p x (x * t))) by ring.
   rewrite IH; ring.
+Qed.
+Lemma ev_square p t : ev (psquare p) t = ev p t * ev p t.
+Proof.
+  induction p as [|a [|b p] IH]; [simpl; lra | simpl; rewrite mult_IZR; lra |].
+  change (psquare (a :: b :: p)) with ((a * a)%Z :: padd_scaled (2 * a) (b :: p) (0%Z :: psquare (b :: p))).
+  cbn [ev]. rewrite ev_add_scaled, !mult_IZR. cbn [ev]. cbn [ev] in IH. rewrite IH. ring.
 Qed.
 Lemma ev2_add_scaled k p : forall q x y, length p = length q ->
   ev2 (padd_scaled k p q) x y = IZR k * ev2 p x y + ev2 q x y /\ length (padd_scaled k p q) = length q.
