@@ -35,8 +35,8 @@ struct MotionGroups {
   }
 };
 
-/// The groups by which the same elements are no pairs as by the rules of a mesh. Groups with the same list of groups are
-/// one here: many objects of which nothing is asked, say.
+/// The groups by which the same elements are no pairs as by the rules of a mesh. Groups with the same list of groups
+/// are one here: many objects of which nothing is asked, say.
 inline MotionGroups motion_groups(const CollisionRules& rules) {
   const bool only_listed = rules.group_rule == GroupRule::only_listed;
   if (rules.groups.empty() || (!only_listed && rules.group_pairs.empty())) return {};

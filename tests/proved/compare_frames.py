@@ -4,9 +4,9 @@
 
     compare_frames.py --program TOUCHSTONE --checker PROGRAM --proved PROGRAM [--mutants N]
 
-A scene of a plate at rest and two sheets, whose frames are OBJ and binary PLY files, is proved. Both checkers accept the
-frames of each part, and say the same of other numbers of files, parts in another order, patterns of all sorts, and N
-files of which some bytes or lines have changed. The same arguments give the same mutants.
+A scene of a plate at rest and two sheets, whose frames are OBJ and binary PLY files, is proved. Both checkers accept
+the frames of each part, and say the same of other numbers of files, parts in another order, patterns of all sorts, and
+N files of which some bytes or lines have changed. The same arguments give the same mutants.
 """
 
 import argparse

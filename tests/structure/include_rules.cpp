@@ -29,7 +29,7 @@ const LayerTable& layer_table() {
       {"python",
        {"solver", "exact", "certify", "fuzz", "mesh", "rigid", "proofs", "view", "io", "frames", "sequence", "threads",
         "geometry"}},
-      {"proofs", {"solver", "broad_phase", "exact", "filters", "geometry", "io", "numbers"}},
+      {"proofs", {"solver", "mesh", "broad_phase", "exact", "filters", "geometry", "io", "numbers"}},
       {"checker", {}},
       {"view", {"exact", "geometry", "io", "numbers", "proofs"}},
       {"generators", {"broad_phase", "seeded"}},

@@ -7,7 +7,7 @@
 // polynomial are integers here: each group is multiplied by a positive number, which changes no sign. For queries with
 // straight motion, read input.hpp, polynomials.hpp, proofs.hpp and queries.hpp, in this order.
 // SPDX-License-Identifier: MIT
-#include "checker/frames.hpp"
+#include "checker/frame_files.hpp"
 #include "checker/pairs.hpp"
 
 namespace checker {
