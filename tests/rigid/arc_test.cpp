@@ -48,9 +48,12 @@ TEST_CASE("a point of a body is within the bounds of its arc at all times") {
         motion.q1[k] = motion.q0[k] + std::ldexp(random.symmetric(), -random.between(1, 50));
     }
     const double scale = std::ldexp(1.0, random.between(-40, 40));
-    const Vec3 point = some_point(random, coarse, scale);
+    Vec3 point = some_point(random, coarse, scale);
+    if (random.one_in(4)) point.x += 1e5 * scale;  // far from the origin
     const double size = std::sqrt(point.x * point.x + point.y * point.y + point.z * point.z) * (1 + 1e-15);
-    const int pieces = 1 << random.between(0, 8);
+    int halvings = random.between(0, 8);
+    if (random.one_in(4)) halvings = random.between(9, 20);
+    const int pieces = 1 << halvings;
     const auto piece = static_cast<double>(random.between(0, pieces - 1));
     const double from = piece / pieces, to = (piece + 1) / pieces;
     const rigid::Arc arc(motion, from, to, size);

@@ -145,3 +145,41 @@ TEST_CASE("a recorded pose of the other sign turns the shorter way on request") 
   CHECK(pose_of({1, 2, 3}, {4, 5, 6, 7}, QuaternionOrder::xyzw).orientation == std::array<double, 4>{7, 4, 5, 6});
   CHECK(pose_of({1, 2, 3}, {4, 5, 6, 7}, QuaternionOrder::xyzw).position.z == 3);
 }
+
+TEST_CASE("bodies that turn about an origin far away have few candidates, and the contacts of all pairs") {
+  // A plate at 1e5 from the axis makes a quarter turn, and passes a small box half-way.
+  constexpr MeshIndex kSide = 10;
+  constexpr double kFar = 1e5;
+  MeshElements elements;
+  elements.vertex_count = (kSide + 1) * (kSide + 1);
+  std::vector<Vec3> points;
+  for (MeshIndex i = 0; i <= kSide; ++i) {
+    for (MeshIndex j = 0; j <= kSide; ++j) {
+      points.push_back({kFar + i / 10.0, 0.01 * ((i + j) % 3), j / 10.0});
+      const MeshIndex v = i * (kSide + 1) + j;
+      if (i == kSide || j == kSide) continue;
+      elements.faces.push_back({v, v + 1, v + kSide + 2});
+      elements.faces.push_back({v, v + kSide + 2, v + kSide + 1});
+    }
+  }
+  const double s = std::sqrt(0.5);
+  Bodies bodies;
+  bodies.bodies = {Body(Mesh(elements), Positions(points)), box(0.25, 0.25, 0.25)};
+  for (const double away : {0.5, 1.5}) {  // from the way of the plate's inner edge
+    std::vector<RigidMotion> motions(2);
+    motions[0].q1 = {s, 0, 0, s};
+    motions[1].p0 = motions[1].p1 = {(kFar + away) * s, (kFar + away) * s, 0.5};
+    // Arcs of a 256th of the step leave straight motion by 0.5, and the box is 0.14 away from the way.
+    CHECK(candidates(bodies, motions).empty() == (away > 1));
+    std::vector<BodyPair> touching;
+    for (const BodyPair& pair : every_pair(bodies)) {
+      const Separation separation = separation_of(bodies, pair);
+      if (solve(query_of(bodies, pair, motions), {.separation = separation}).contact) touching.push_back(pair);
+    }
+    std::vector<BodyPair> found;
+    for (const BodyContact& contact : all_contacts(bodies, motions)) found.push_back(contact.pair);
+    std::sort(found.begin(), found.end());
+    CHECK(found == touching);
+    CHECK(found.empty() == (away > 1));
+  }
+}

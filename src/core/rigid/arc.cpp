@@ -115,10 +115,11 @@ Arc::Arc(const RigidMotion& motion, double from, double to, double reach, double
   const auto [q0, q1] = scaled(motion.q0, motion.q1);
   std::array<Orientation, 2> at{};
   if (orientation_at(q0, q1, from, at[0]) && orientation_at(q0, q1, to, at[1])) {
-    per_reach_ = deviation_of_arc(at[0], at[1]) + 2 * std::max(at[0].wrong_by, at[1].wrong_by) + kPositioning;
+    bulge_ = deviation_of_arc(at[0], at[1]);
+    per_reach_ = bulge_ + 2 * std::max(at[0].wrong_by, at[1].wrong_by) + kPositioning;
   } else {
     at[0].unit = at[1].unit = {1, 0, 0, 0};
-    per_reach_ = 2 + kPositioning;
+    per_reach_ = bulge_ + kPositioning;
   }
   const auto first = matrix_of(at[0].unit), second = matrix_of(at[1].unit);
   for (std::size_t k = 0; k < 3; ++k) {
@@ -160,17 +161,6 @@ broad_phase::BoundsByAxis Arc::around(const broad_phase::Box& box, double reach,
     bounds.high[k] = -broad_phase::lowered(-(at + side));
   }
   return bounds;
-}
-
-int arcs_for(const RigidMotion& motion, double reach, double little) noexcept {
-  const auto [q0, q1] = scaled(motion.q0, motion.q1);
-  Orientation first{}, second{};
-  if (!orientation_at(q0, q1, 0, first) || !orientation_at(q0, q1, 1, second)) return kMostArcs;
-  // Half of the angle by which the body turns is that between the quaternions.
-  const double angle = std::acos(std::clamp(dot(first.unit, second.unit), -1.0, 1.0));
-  int count = 1;
-  while (count < kMostArcs && geometry::kArcBulge * (angle / count) * (angle / count) * reach > little) count *= 2;
-  return count;
 }
 
 }  // namespace touchstone::rigid

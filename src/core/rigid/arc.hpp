@@ -34,6 +34,9 @@ class Arc {
   /// its `ends_of`, at the same time.
   double deviation(double reach) const noexcept { return per_reach_ * reach + error_; }
 
+  /// How far such a point may leave straight motion because the body turns: a fourth, about, for half of the duration.
+  double bulge(double reach) const noexcept { return bulge_ * reach; }
+
   /// A moving box that holds the points in a box of the body's own frame at all times, wider by a margin >= 0.
   /// @param reach  reach_of(box), or more
   broad_phase::BoundsByAxis around(const broad_phase::Box& box, double reach, double margin) const noexcept;
@@ -42,15 +45,8 @@ class Arc {
   using AtBothEnds = broad_phase::BoundsByAxis::AtBothEnds;
   std::array<std::array<AtBothEnds, 3>, 3> turn_;
   std::array<AtBothEnds, 3> position_;
-  double per_reach_ = 0, error_ = 0;
+  double bulge_ = 2, per_reach_ = 0, error_ = 0;
   double rounding_ = 0;  // of a position
 };
-
-/// Into how many arcs of equal duration a motion is to be cut, a power of two from 1 to kMostArcs, so that the points
-/// of a body leave the straight motions by little.
-/// @param reach  no point of the body is farther from its origin
-/// @param little  what is little beside the body
-int arcs_for(const RigidMotion& motion, double reach, double little) noexcept;
-inline constexpr int kMostArcs = 256;
 
 }  // namespace touchstone::rigid

@@ -1,5 +1,5 @@
-// A step of bodies is cut into pieces of equal duration. In each, boxes around the elements' arcs are compared, and the
-// pairs whose boxes meet are asked about the whole step, once, by the exact solver for curved queries.
+// A step of bodies is cut into pieces. In each, boxes around the elements' arcs are compared, and the pairs whose boxes
+// meet are asked about the whole step, once, by the exact solver for curved queries.
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <atomic>
@@ -15,7 +15,6 @@
 
 #include "broad_phase/box_tree.hpp"
 #include "mesh/candidates.hpp"
-#include "mesh/earliest.hpp"
 #include "mesh/pair_distance.hpp"
 #include "numbers/doubles/float_environment.hpp"
 #include "rigid/arc.hpp"
@@ -28,30 +27,55 @@
 namespace touchstone::rigid {
 namespace {
 
-/// Arcs leave straight motion by no more than this part of a body's width.
-constexpr double kLittle = 1.0 / 256;
+// A piece of a step is halved while arcs in it leave straight motion by too much beside bodies that are near each other
+// in it. By default that is a small part of a body's width, in pieces that are longer than kShort. A body may turn about
+// an origin far from it: then its arcs leave straight motion by as much as its width, and all of its elements seem to be
+// near. Such pieces are halved further. There are few: the body crosses the width of the other one in little time.
+constexpr double kLittle = 1.0 / 256, kMuch = 1.0 / 16;
+constexpr double kShort = 0x1p-8;
+constexpr double kShortest = 0x1p-20;  // as Arc asks
 
-/// Into how many pieces a step is cut.
-int pieces_for(const Bodies& bodies, const std::vector<RigidMotion>& motions, const BodyPairs& near) {
-  std::vector<char> asked(motions.size(), 0);
-  for (const auto& [a, b] : near) asked[a] = asked[b] = 1;
-  int count = 1;
-  for (std::size_t b = 0; b < motions.size(); ++b) {
-    if (asked[b] == 0) continue;
-    const Body::Impl& body = bodies.bodies[b].impl();
-    double width = 0;
-    for (std::size_t k = 0; k < 3; ++k) width = std::max(width, body.box.high[k] - body.box.low[k]);
-    count = std::max(count, arcs_for(motions[b], body.reach, kLittle * width));
-  }
-  return count;
+double width_of(const Body::Impl& body) noexcept {
+  double width = 0;
+  for (std::size_t k = 0; k < 3; ++k) width = std::max(width, body.box.high[k] - body.box.low[k]);
+  return width;
 }
 
-BodyPair pair_of(const NearElements& near) noexcept {
-  const Kind kind = near.first_sort == MeshElement::edge    ? Kind::edge_edge
-                    : near.second_sort == MeshElement::face ? Kind::vertex_face
-                    : near.second_sort == MeshElement::edge ? Kind::point_edge
-                                                            : Kind::point_point;
-  return {kind, near.first, near.second};
+/// Whether a piece of this duration is to be halved.
+bool is_too_long(const Bodies& bodies, const BodyPairs& near, const std::vector<Arc>& arcs, double duration) {
+  return duration > kShortest && std::any_of(near.begin(), near.end(), [&](const std::array<BodyIndex, 2>& pair) {
+           std::array<double, 2> width, bulge;
+           for (std::size_t i = 0; i < 2; ++i) {
+             const Body::Impl& body = bodies.bodies[pair[i]].impl();
+             width[i] = width_of(body);
+             bulge[i] = arcs[pair[i]].bulge(body.reach);
+             if (duration > kShort && bulge[i] > kLittle * width[i]) return true;
+           }
+           return std::max(bulge[0], bulge[1]) > kMuch * std::max(width[0], width[1]);
+         });
+}
+
+BoundsByAxis box_on(const Bodies& bodies, BodyIndex number, const Arc& arc) noexcept {
+  const Body::Impl& body = bodies.bodies[number].impl();
+  return arc.around(body.box, body.reach, mesh::with_room(bodies.separation.distance / 2 + body.radius));
+}
+
+/// Calls ask(near, arcs) for pieces that follow one another and make up a step, with the pairs of bodies that are near
+/// each other in the piece, if there are any. Pieces that begin after `until` are left out.
+template <class Ask>
+void for_each_piece(const Bodies& bodies, const std::vector<RigidMotion>& motions, const BodyPairs& may_be_near,
+                    const std::atomic<double>& until, double from, double to, const Ask& ask) {
+  if (from > 0 && from >= until) return;
+  const std::vector<Arc> arcs = arcs_of(bodies, motions, from, to);
+  BodyPairs near;
+  for (const auto& [a, b] : may_be_near) {
+    if (broad_phase::meet(box_on(bodies, a, arcs[a]), box_on(bodies, b, arcs[b]))) near.push_back({a, b});
+  }
+  if (near.empty()) return;
+  if (!is_too_long(bodies, near, arcs, to - from)) return ask(near, arcs);
+  const double middle = from / 2 + to / 2;
+  for_each_piece(bodies, motions, near, until, from, middle, ask);
+  for_each_piece(bodies, motions, near, until, middle, to, ask);
 }
 
 /// Asks about all pairs that may be in contact by a time that may fall meanwhile.
@@ -60,12 +84,9 @@ template <class Tell>
 void for_each_contact(const Bodies& bodies, const CollidingBodies& colliding, const std::vector<RigidMotion>& motions,
                       const MeshOptions& options, const std::atomic<double>& until, Wanted wanted, const Tell& tell) {
   const BodyPairs near = near_bodies(bodies, colliding, arcs_of(bodies, motions, 0, 1));
-  const int pieces = pieces_for(bodies, motions, near);
-  Candidates candidates(bodies, near, options);
-  for (int piece = 0; piece < pieces; ++piece) {
-    const double from = static_cast<double>(piece) / pieces, to = static_cast<double>(piece + 1) / pieces;
-    if (piece > 0 && from >= until) return;
-    const std::vector<BodyPair> pairs = candidates.on(arcs_of(bodies, motions, from, to));
+  Candidates candidates(bodies, options);
+  for_each_piece(bodies, motions, near, until, 0, 1, [&](const BodyPairs& now, const std::vector<Arc>& arcs) {
+    const std::vector<BodyPair> pairs = candidates.on(now, arcs);
     threads::for_each_range(
         pairs.size(), mesh::kContactsAtATime, options.threads, [&](std::size_t first, std::size_t last) {
           for (std::size_t i = first; i < last; ++i) {
@@ -76,10 +97,19 @@ void for_each_contact(const Bodies& bodies, const CollidingBodies& colliding, co
             if (answer.contact) tell(pairs[i], distance, answer);
           }
         });
-  }
+  });
 }
 
-/// The whole answers for pairs, in ascending order.
+}  // namespace
+
+BodyPair pair_of(const NearElements& near) noexcept {
+  const Kind kind = near.first_sort == MeshElement::edge    ? Kind::edge_edge
+                    : near.second_sort == MeshElement::face ? Kind::vertex_face
+                    : near.second_sort == MeshElement::edge ? Kind::point_edge
+                                                            : Kind::point_point;
+  return {kind, near.first, near.second};
+}
+
 std::vector<BodyContact> with_answers(const Bodies& bodies, const std::vector<RigidMotion>& motions,
                                       std::vector<mesh::Found<BodyPair>>& found, const StepOptions& options) {
   std::sort(found.begin(), found.end());
@@ -96,8 +126,6 @@ std::vector<BodyContact> with_answers(const Bodies& bodies, const std::vector<Ri
   return contacts;
 }
 
-}  // namespace
-
 std::vector<Arc> arcs_of(const Bodies& bodies, const std::vector<RigidMotion>& motions, double from, double to) {
   std::vector<Arc> arcs;
   arcs.reserve(motions.size());
@@ -111,10 +139,8 @@ BodyPairs near_bodies(const Bodies& bodies, const CollidingBodies& colliding, co
   std::vector<BoundsByAxis> boxes;
   std::vector<BodyIndex> numbers;
   for (BodyIndex b = 0; b < whole.size(); ++b) {
-    const Body::Impl& body = bodies.bodies[b].impl();
-    if (body.tree.empty()) continue;
-    const double margin = mesh::with_room(bodies.separation.distance / 2 + body.radius);
-    boxes.push_back(whole[b].around(body.box, body.reach, margin));
+    if (bodies.bodies[b].impl().tree.empty()) continue;
+    boxes.push_back(box_on(bodies, b, whole[b]));
     numbers.push_back(b);
   }
   BodyPairs near;
@@ -131,15 +157,15 @@ BodyPairs near_bodies(const Bodies& bodies, const CollidingBodies& colliding, co
   return near;
 }
 
-std::vector<BodyPair> Candidates::on(const std::vector<Arc>& arcs) {
+std::vector<BodyPair> Candidates::on(const BodyPairs& near, const std::vector<Arc>& arcs) {
   std::vector<BodyPair> found;
   std::mutex lock;
-  threads::for_each_range(near_.size(), 1, options_.threads, [&](std::size_t first, std::size_t last) {
+  threads::for_each_range(near.size(), 1, options_.threads, [&](std::size_t first, std::size_t last) {
     std::vector<BodyPair> some;
-    const NearConsumer take = [&some](const NearElements& near) { some.push_back(pair_of(near)); };
+    const NearConsumer take = [&some](const NearElements& elements) { some.push_back(pair_of(elements)); };
     for (std::size_t i = first; i < last; ++i) {
       mesh::check_stop(options_.stop);
-      const auto [a, b] = near_[i];
+      const auto [a, b] = near[i];
       for_each_near_in_motion(bodies_, {a, bodies_.bodies[a].impl(), arcs[a]}, {b, bodies_.bodies[b].impl(), arcs[b]},
                               take);
     }
@@ -238,14 +264,14 @@ std::vector<BodyPair> candidates(const Bodies& bodies, const std::vector<RigidMo
   const rigid::CollidingBodies colliding(bodies);
   rigid::validate(bodies, motions);
   const auto near = rigid::near_bodies(bodies, colliding, rigid::arcs_of(bodies, motions, 0, 1));
-  const int pieces = rigid::pieces_for(bodies, motions, near);
-  rigid::Candidates candidates(bodies, near, options);
+  rigid::Candidates candidates(bodies, options);
   std::vector<BodyPair> all;
-  for (int piece = 0; piece < pieces; ++piece) {
-    const double from = static_cast<double>(piece) / pieces, to = static_cast<double>(piece + 1) / pieces;
-    const std::vector<BodyPair> some = candidates.on(rigid::arcs_of(bodies, motions, from, to));
-    all.insert(all.end(), some.begin(), some.end());
-  }
+  const std::atomic<double> until{1};
+  rigid::for_each_piece(bodies, motions, near, until, 0, 1,
+                        [&](const rigid::BodyPairs& now, const std::vector<rigid::Arc>& arcs) {
+                          const std::vector<BodyPair> some = candidates.on(now, arcs);
+                          all.insert(all.end(), some.begin(), some.end());
+                        });
   std::sort(all.begin(), all.end());
   return all;
 }

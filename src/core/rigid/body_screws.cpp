@@ -93,9 +93,9 @@ BodyScrewAnswer decide(const Bodies& bodies, const CollidingBodies& colliding, c
   const BodyPairs near = near_bodies(bodies, colliding, balls_of(bodies, motions));
   if (near.empty()) return result;
   const std::vector<ScrewArcs> screws = screws_of(bodies, motions);
-  Candidates candidates(bodies, near, options);
+  Candidates candidates(bodies, options);
   for (int piece = 0; piece < kArcs && static_cast<double>(piece) / kArcs <= result.contact_by; ++piece) {
-    ask(bodies, motions, options, candidates.on(arcs_of_piece(bodies, screws, piece)), result.pairs);
+    ask(bodies, motions, options, candidates.on(near, arcs_of_piece(bodies, screws, piece)), result.pairs);
     for (const BodyScrewContact& one : result.pairs) {
       if (one.answer.verdict != ScrewVerdict::contact) continue;
       result.verdict = ScrewVerdict::contact;

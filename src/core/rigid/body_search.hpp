@@ -8,8 +8,10 @@
 
 #include <touchstone/bodies.hpp>
 
+#include "mesh/earliest.hpp"
 #include "rigid/arc.hpp"
 #include "rigid/body_data.hpp"
+#include "rigid/near_elements.hpp"
 
 namespace touchstone::rigid {
 
@@ -25,19 +27,25 @@ std::vector<Arc> arcs_of(const Bodies& bodies, const std::vector<RigidMotion>& m
 /// The pairs of elements that come near each other in pieces of a step, each of them once.
 class Candidates {
  public:
-  Candidates(const Bodies& bodies, BodyPairs near, const MeshOptions& options)
-      : bodies_(bodies), near_(std::move(near)), options_(options) {}
+  Candidates(const Bodies& bodies, const MeshOptions& options) : bodies_(bodies), options_(options) {}
 
   /// Those of a piece that were in none before it, in ascending order.
+  /// @param near  the pairs of bodies to ask about
   /// @param arcs  by body: its motion in the piece
-  std::vector<BodyPair> on(const std::vector<Arc>& arcs);
+  std::vector<BodyPair> on(const BodyPairs& near, const std::vector<Arc>& arcs);
 
  private:
   const Bodies& bodies_;
-  BodyPairs near_;
   const MeshOptions& options_;
   std::vector<BodyPair> known_;  // ascending
 };
+
+/// The pair of elements that are near each other.
+BodyPair pair_of(const NearElements& near) noexcept;
+
+/// The whole answers for pairs, in ascending order.
+std::vector<BodyContact> with_answers(const Bodies& bodies, const std::vector<RigidMotion>& motions,
+                                      std::vector<mesh::Found<BodyPair>>& found, const StepOptions& options);
 
 /// Every pair of elements in contact in the step, in the order of all_contacts.
 std::vector<BodyContact> find_all(const Bodies& bodies, const CollidingBodies& colliding,
