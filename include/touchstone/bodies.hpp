@@ -225,6 +225,30 @@ std::vector<BodyPair> candidates(const Bodies& bodies, const std::vector<RigidMo
 std::vector<BodyIntersection> intersections(const Bodies& bodies, const std::vector<Pose>& poses,
                                             const MeshOptions& options = {});
 
+/// How near bodies come to each other at rest.
+struct BodyDistance {
+  /// The least distance, rounded up to a double: some pair comes within it, and none within the next lesser double. It
+  /// is 0 where bodies intersect, and where one is inside the other. Infinity where no two elements may collide, or
+  /// where all that may are farther apart than the greatest double.
+  double distance = std::numeric_limits<double>::infinity();
+
+  /// Every pair within this distance, in ascending order, as first_contact has it in at_start for this separation. Of
+  /// bodies that intersect these are the pairs that touch.
+  std::vector<BodyContact> pairs;
+
+  std::vector<BodyIntersection> intersections;  ///< where bodies intersect
+  std::size_t in_open = 0, cancelled = 0;       ///< as in FirstBodyContact
+  std::size_t excluded = 0;                     ///< as in FirstBodyContact
+};
+
+/// The least distance of two elements of two bodies at rest, of the pairs that first_contact asks about, in the metric of
+/// the bodies' separation: separations and radii do not count.
+/// @param bodies   the bodies
+/// @param poses    one for each body
+/// @param options  how the question is answered
+/// @throws InvalidQuery  as first_contact
+BodyDistance distance(const Bodies& bodies, const std::vector<Pose>& poses, const MeshOptions& options = {});
+
 /// A step of bodies that is free of contact.
 struct FreeBodyStep {
   StepOutcome outcome = StepOutcome::whole;  ///< what became of the step

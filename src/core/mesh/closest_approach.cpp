@@ -27,6 +27,7 @@
 #include "mesh/folds.hpp"
 #include "mesh/intersections.hpp"
 #include "mesh/pair_distance.hpp"
+#include "mesh/rounded_distance.hpp"
 #include "numbers/doubles/float_environment.hpp"
 #include "solver/cascade.hpp"
 #include "solver/validate.hpp"
@@ -54,9 +55,7 @@ class PairInStep {
   /// The least double that they come within, if it is less than `most`; nothing else.
   std::optional<double> distance_below(double most) const {
     if (rests_) {
-      const double nearest = touchstone::distance(query_, 0, metric_).value;
-      const double distance =
-          nearest == kInfinity || comes_within(nearest) ? nearest : std::nextafter(nearest, kInfinity);
+      const double distance = distance_rounded_up(query_, metric_);
       return distance < most ? std::optional(distance) : std::nullopt;
     }
     double low = 0, high = std::nextafter(most, 0);  // not within the one, and within the other

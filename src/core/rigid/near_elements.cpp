@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -52,7 +53,7 @@ struct InMotion {
     if (of_b == MeshElement::vertex && of_a == MeshElement::face) return true;
     return is_itself(a, of_a) && is_itself(b, of_b) && of_a != MeshElement::face && of_b != MeshElement::face;
   }
-  static constexpr bool kRests = false;
+  static constexpr bool kRests = false, kNearestFirst = false;
 
  protected:
   static bool is_itself(const Representative& one, MeshElement sort) noexcept { return one.sort == sort; }
@@ -71,6 +72,11 @@ struct AtRest : InMotion {
     return is_itself(a, of_a) && is_itself(b, of_b);
   }
   static constexpr bool kRests = true;
+};
+
+/// The same pairs as in motion, by a distance that falls meanwhile.
+struct Nearest : InMotion {
+  static constexpr bool kNearestFirst = true;
 };
 
 /// The chords of two elements: of a moving pair, or of a place that goes along the first one, an edge, while the second
@@ -99,9 +105,10 @@ Query chords_of(Kind kind, const Element& first, const Element& second, bool res
 template <class Rule>
 class Search {
  public:
+  /// @param most  null, or the separation, which may fall
   Search(const BodyOnArc& a, const BodyOnArc& b, const Margins& margins, const Separation& separation,
-         const NearConsumer& take)
-      : a_(a), b_(b), margins_(margins), separation_(separation), take_(take) {}
+         const NearConsumer& take, const std::atomic<double>* most = nullptr)
+      : a_(a), b_(b), margins_(margins), separation_(separation), take_(take), most_(most) {}
 
   void run() {
     if (a_.body.tree.empty() || b_.body.tree.empty()) return;
@@ -110,16 +117,15 @@ class Search {
     while (!waiting.empty()) {
       const auto [i, j] = waiting.back();
       waiting.pop_back();
+      look_again();
       if (!broad_phase::meet(box_of(a_, i), box_of(b_, j))) continue;
       const auto &first = a_.body.tree.node(i), &second = b_.body.tree.node(j);
       if (first.is_leaf() && second.is_leaf()) {
         compare_leaves(first, second, of_a, of_b);
       } else if (second.is_leaf() || (!first.is_leaf() && first.size() >= second.size())) {
-        waiting.push_back({first.first, j});
-        waiting.push_back({first.second, j});
+        push(waiting, {first.first, j}, {first.second, j});
       } else {
-        waiting.push_back({i, second.first});
-        waiting.push_back({i, second.second});
+        push(waiting, {i, second.first}, {i, second.second});
       }
     }
   }
@@ -127,12 +133,31 @@ class Search {
  private:
   using Node = broad_phase::BoxTree<Box>::Node;
 
+  void look_again() noexcept {
+    if (most_ != nullptr) margins_.common = (separation_.distance = *most_) / 2;
+  }
+
+  void push(std::vector<std::array<Index, 2>>& waiting, const std::array<Index, 2>& one,
+            const std::array<Index, 2>& other) const {
+    const bool swap = Rule::kNearestFirst && gap_at_start(one) < gap_at_start(other);
+    waiting.push_back(swap ? other : one);
+    waiting.push_back(swap ? one : other);
+  }
+
+  /// The greatest gap along an axis; less than none where boxes overlap along all of them.
+  double gap_at_start(const std::array<Index, 2>& nodes) const noexcept {
+    const BoundsByAxis a = box_of(a_, nodes[0]), b = box_of(b_, nodes[1]);
+    double gap = -std::numeric_limits<double>::infinity();
+    for (std::size_t k = 0; k < 3; ++k) gap = std::max({gap, b.low[k][0] - a.high[k][0], a.low[k][0] - b.high[k][0]});
+    return gap;
+  }
+
   BoundsByAxis box_of(const BodyOnArc& moving, Index node) const noexcept {
     return moving.arc.around(moving.body.tree.node(node).box, moving.body.reaches[node],
                              margins_.of(moving.body.radius));
   }
 
-  void compare_leaves(const Node& first, const Node& second, std::vector<Seen>& of_a, std::vector<Seen>& of_b) const {
+  void compare_leaves(const Node& first, const Node& second, std::vector<Seen>& of_a, std::vector<Seen>& of_b) {
     look_at(a_, first, of_a);
     look_at(b_, second, of_b);
     for (Seen& one : of_a) {
@@ -190,7 +215,7 @@ class Search {
     return {{x, y, z}, {x, y, z}};
   }
 
-  void compare(const Seen& of_a, const Seen& of_b) const {
+  void compare(const Seen& of_a, const Seen& of_b) {
     for (std::size_t i = 0; i < of_a.count; ++i) {
       for (std::size_t j = 0; j < of_b.count; ++j) {
         const Element &one = of_a.elements[i], &other = of_b.elements[j];
@@ -202,8 +227,8 @@ class Search {
     }
   }
 
-  void compare(const BodyOnArc& of_first, const Element& first, const BodyOnArc& of_second,
-               const Element& second) const {
+  void compare(const BodyOnArc& of_first, const Element& first, const BodyOnArc& of_second, const Element& second) {
+    look_again();
     const MeshElement asked = Rule::kRests ? MeshElement::vertex : first.sort;  // a place on the first one
     const Kind kind = asked == MeshElement::edge           ? Kind::edge_edge
                       : second.sort == MeshElement::face   ? Kind::vertex_face
@@ -229,6 +254,7 @@ class Search {
   Margins margins_;
   Separation separation_;
   const NearConsumer& take_;
+  const std::atomic<double>* most_;
 };
 
 }  // namespace
@@ -240,6 +266,11 @@ void for_each_near_in_motion(const Bodies& bodies, const BodyOnArc& a, const Bod
 
 void for_each_near_at_rest(const BodyOnArc& a, const BodyOnArc& b, const NearConsumer& take) {
   Search<AtRest>(a, b, {}, {}, take).run();
+}
+
+void for_each_nearer_at_rest(const BodyOnArc& a, const BodyOnArc& b, Metric metric, const std::atomic<double>& most,
+                             const NearConsumer& take) {
+  Search<Nearest>(a, b, {}, {0, metric}, take, &most).run();
 }
 
 }  // namespace touchstone::rigid

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <atomic>
 #include <functional>
 
 #include <touchstone/answer.hpp>
@@ -34,5 +35,11 @@ void for_each_near_in_motion(const Bodies& bodies, const BodyOnArc& a, const Bod
 /// Hands out the pairs of elements that `intersections` asks about, once each, but for pairs that are certainly apart
 /// at the starts of both arcs, which go nowhere.
 void for_each_near_at_rest(const BodyOnArc& a, const BodyOnArc& b, const NearConsumer& take);
+
+/// Hands out the pairs of elements that `distance` asks about, once each, but for pairs that are certainly farther than
+/// `most` from each other at the starts of both arcs, which go nowhere. Nearer ones come first, about. `most` may fall
+/// meanwhile.
+void for_each_nearer_at_rest(const BodyOnArc& a, const BodyOnArc& b, Metric metric, const std::atomic<double>& most,
+                             const NearConsumer& take);
 
 }  // namespace touchstone::rigid
