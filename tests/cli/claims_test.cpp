@@ -152,19 +152,19 @@ TEST_CASE("a list of contacts alone needs no column that says so") {
     const Run run = judging.run(spelling.name, spelling.claims, more);
     CAPTURE(spelling.name, run.out, run.err);
     CHECK(run.status == 0);
-    CHECK(
-        run.out.starts_with("all 3 claims hold (claims of " + judging.folder.path(spelling.name) +
-                            " (claims without 'contact' have one, no contact at 1 query without a claim), 1 file)\n"));
+    CHECK(run.out.starts_with("all 3 claims hold (claims of " + judging.folder.path(spelling.name) +
+                              " (claims without 'contact' have one unless 'toi' denies it, no contact at 1 query "
+                              "without a claim), 1 file)\n"));
     CHECK(occurrences(run.out, "0 to 0 doubles before the exact time") == 1);
     const Run refused = judging.run(spelling.name, spelling.claims, spelling.more);
     CAPTURE(refused.err);
     CHECK(refused.status == 2);
-    CHECK(occurrences(refused.err, "is a 'contact'; known names are ") == 1);
     CHECK(occurrences(refused.err, "--missing no-contact") == 1);
   }
   Judging judging;
-  CHECK(judging.run("a.csv", "toi\n0.5\n", {"--missing", "no-contact"}).status == 2);
-  CHECK(judging.run("b.csv", "query,toi\n0,inf\n", {"--missing", "no-contact"}).status == 2);
+  CHECK(judging.run("a.csv", "query\n0\n2\n", {"--missing", "no-contact"}).status == 0);
+  CHECK(judging.run("b.csv", "query\n0\n2\n").status == 2);
+  CHECK(judging.run("c.csv", "query,toi\n0,inf\n2,0.25\n", {"--missing", "no-contact"}).status == 1);
 }
 
 TEST_CASE("claims with a time outside the step are counted apart") {
@@ -332,7 +332,7 @@ TEST_CASE("faults of claims are named with what would be right") {
       {"two.csv", "1,0.5\n",
        ":1: no names of columns; --columns says what they are, for example --columns contact,toi"},
       {"none.csv", "query,answer\n0,1\n",
-       ":1: no column is a 'contact'; known names are file (or filename), query (or"},
+       ":1: no column is a 'contact' or a 'toi'; known names are file (or filename), query (or"},
       {"twice.csv", "hit,contact\n0,1\n", ":1: two columns are a 'contact'; --columns says which one is read"},
       {"wide.csv",
        "1,2,3,4\n",
@@ -347,7 +347,7 @@ TEST_CASE("faults of claims are named with what would be right") {
       {"maybe.csv", "hit\nmaybe\n", ":2: contact is 'maybe'; it must be 0 or 1, true or false, or yes or no"},
       {"late.csv", "hit,toi\n1,inf\n", ":2: toi is 'inf'; of a contact it must be a finite number such as"},
       {"upper.csv", "0,0,NaN\n1,1,inf\n", ":2: toi is 'inf'; of a contact it must be a finite number such as"},
-      {"truth.csv", "query,truth,predicted\n0,1,0\n", ":1: no column is a 'contact'; known names are"},
+      {"truth.csv", "query,truth,predicted\n0,1,0\n", ":1: no column is a 'contact' or a 'toi'; known names are"},
       {"nan.json", "[{\"contact\": true, \"toi\": NaN}]", ": [0].toi: is 'NaN'; of a contact it must be finite"},
       {"metric.json", "[{\"contact\": true, \"metric\": \"max\"}]", ": [0]: has a 'metric' and no 'separation'"},
       {"none.npy", npy("<f8", "(2, 0)", ""), ": has 0 columns; --columns says what they are"},
@@ -360,7 +360,10 @@ TEST_CASE("faults of claims are named with what would be right") {
       {"long.npy", npy("|b1", "(4,)", std::string("\1\0\1\1", 4)),
        ": claim 4 of 4: a claim too many; there are only 3 queries"},
       {"no.json", "[2]", ": [0]: must be 0 or 1, or false or true"},
-      {"key.json", "[{\"toi\": 1}]", ": [0]: no key is a 'contact'; known names are file (or"},
+      {"key.json", "[{\"time_of\": 1}]", ": [0]: no key is a 'contact' or a 'toi'; known names are file (or"},
+      {"toi.json", "[{\"toi\": -1}]", ": [0].toi: where nothing says whether there is contact, it must be in [0, 1]"},
+      {"toi.csv", "toi\n-1\n",
+       ":2: toi is '-1'; where nothing says whether there is contact, it must be in [0, 1], or"},
       {"both.json", "[{\"hit\": 1, \"contact\": 1}]", ": [0]: has two keys that are a 'contact'"},
       {"text.json", "[{\"hit\": 1, \"toi\": \"soon\"}]", ": [0].toi: is 'soon'; of a contact it must be finite"},
       {"line.jsonl", "{\"hit\": 1}\n{\"hit\": }\n", ": line 2: no JSON: "},
@@ -372,7 +375,10 @@ TEST_CASE("faults of claims are named with what would be right") {
       {"cube.npy", npy("<f8", "(1, 1, 1)", doubles({0})), ": an array of shape (1, 1, 1); claims have one row each"},
       {"packed.npz", npz({{"contact.npy", npy("|b1", "(1,)", std::string(1, '\1'))}}, 8),
        ": is compressed; numpy.savez, not savez_compressed, writes what is read"},
-      {"none.npz", npz({{"toi.npy", npy("<f8", "(1,)", doubles({1}))}}), ": no array is a 'contact'; known names are"},
+      {"none.npz", npz({{"query.npy", npy("<f8", "(1,)", doubles({1}))}}),
+       ": no array is a 'contact' or a 'toi'; known names are"},
+      {"minus.npz", npz({{"toi.npy", npy("<f8", "(1,)", doubles({-1}))}}),
+       ": toi of row 0 is -1; where nothing says whether there is contact"},
       {"cut.npz", npz({{"contact.npy", npy("|b1", "(1,)", std::string(1, '\1'))}}).substr(0, 60), ": is no .npz file"},
       {"rows.npz",
        npz({{"contact.npy", npy("|b1", "(1,)", std::string(1, '\1'))},
@@ -398,7 +404,7 @@ TEST_CASE("columns that say nothing are refused") {
   Judging judging;
   for (const auto& [columns, message] : std::vector<std::pair<std::string, std::string>>{
            {"contact,when", "unknown column 'when'; known are file (or filename), "},
-           {"query,toi", "no column is a 'contact'; known names are"},
+           {"query,file", "no column is a 'contact' or a 'toi'; known names are"},
            {"contact,metric", "the column metric needs separation"},
            {"contact,hit", "the column 'hit' says what one before it says"}}) {
     const Run run = judging.run("a.csv", "1,1\n", {"--columns", columns});
@@ -419,8 +425,8 @@ TEST_CASE("JSON of claims has the shapes that programs write, whatever its name 
       "{\"hit\": true, \"toi\": 0.5}\n{\"hit\": false, \"toi\": null}\n{\"hit\": true, \"toi\": 0.25}\n";
   const std::string columns = R"({"solver": "mine", "hit": [true, false, true], "toi": [0.5, Infinity, 0.25]})";
   // A table's rows are in the order of their numbers; "10" comes before "9" in the text's order.
-  const std::string pandas =
-      R"({"hit": {"9": false, "8": true, "10": true}, "toi": {"8": 0.5, "9": null, "10": 0.25}, "id": {"8": 0, "9": 1, "10": 2}})";
+  const std::string pandas = R"({"hit": {"9": false, "8": true, "10": true}, "toi": {"8": 0.5, "9": null, "10": 0.25},)"
+                             R"("id": {"8": 0, "9": 1, "10": 2}})";
   const std::string filtered = R"({"hit": {"2": true, "0": true}, "toi": {"0": 0.5, "2": 0.25}})";
   for (const auto& [claims, more] : std::vector<std::pair<std::string, std::vector<std::string>>>{
            {lines, {}}, {columns, {}}, {pandas, {}}, {filtered, {"--missing", "no-contact"}}}) {
@@ -445,6 +451,24 @@ TEST_CASE("JSON of claims has the shapes that programs write, whatever its name 
   CHECK(occurrences(fault(R"({"hit": [1, 0], "toi": [0.5]})"), "hit has 2 rows, and toi has 1; all columns") == 1);
   CHECK(occurrences(fault(R"({"hit": {"a": 1}})"), "hit has a row 'a'; the names of rows must be their numbers") == 1);
   CHECK(occurrences(fault(R"({"hit": [1, 0, 1], "hit ": [1, 0, 1]})"), "has two keys that are a 'contact'") == 1);
+}
+
+TEST_CASE("claims may have times alone, and the verdict says so") {
+  for (const auto& [name, claims] : std::vector<std::pair<std::string, std::string>>{
+           {"a.csv", "toi\n0.5\ninf\n0.25\n"},
+           {"b.csv", "id,toi\n1,none\n2,0.25\n0,0.5\n"},
+           {"c.csv", "toi,ns\n0.5,1\n,1\n0.25,1\n"},
+           {"a.json", R"({"toi": [0.5, null, 0.25]})"},
+           {"b.jsonl", "{\"toi\": 0.5}\n{\"toi\": NaN}\n{\"toi\": \"0x1p-2\"}\n"}}) {
+    Judging judging;
+    const Run run = judging.run(name, claims);
+    CAPTURE(name, run.out, run.err);
+    CHECK(run.status == 0);
+    CHECK(run.out.starts_with("all 3 claims hold (claims of " + judging.folder.path(name) +
+                              " (claims without 'contact' have one unless 'toi' denies it"));
+  }
+  Judging judging;  // a time claims a contact
+  CHECK(judging.run("a.csv", "toi\n0.5\n1\ninf\n").status == 1);
 }
 
 TEST_CASE("text of another encoding and packed files are named with the remedy") {

@@ -54,7 +54,8 @@ ClaimStream::ClaimStream(const std::string& path, const io::ClaimColumns& column
 
 std::string ClaimStream::left_out() const {
   const std::vector<std::string>& unread = reader_ ? reader_->unread_columns() : listed_.unread;
-  std::string text = implied_contacts_ ? "claims without 'contact' have one" : "";
+  std::string text;
+  if (implied_contacts_) text = "claims without 'contact' have one unless 'toi' denies it";
   if (times_ < contacts_) {
     text +=
         std::string(text.empty() ? "" : ", ") +

@@ -60,9 +60,9 @@ class ClaimStream {
               const std::vector<Input>& inputs, const SeparationOption& separation,
               SeparationsOfFile separations_of_file, io::MissingClaim missing, std::size_t chunk_bytes);
 
-  /// What the claims that were read leave out, for the verdict's line: "claims without 'contact' have one", "no
-  /// times", "times for 1 of 5 contacts", "no contact at 3 queries without a claim", "not read: 'ns'"; empty when
-  /// nothing is.
+  /// What the claims that were read leave out, for the verdict's line: "claims without 'contact' have one unless 'toi'
+  /// denies it", "no times", "times for 1 of 5 contacts", "no contact at 3 queries without a claim", "not read: 'ns'";
+  /// empty when nothing is.
   std::string left_out() const;
 
   /// Appends the claims about the queries of `item`. @throws FileError at the first that is missing, the second about a

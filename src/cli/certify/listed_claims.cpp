@@ -67,6 +67,14 @@ std::optional<double> time_of(const JsonNode& node) {
   return time;
 }
 
+/// Of a claim without `contact`.
+bool contact_by_toi(const JsonNode& toi) {
+  if (toi.is_null()) return false;
+  const auto contact = io::contact_of_toi(toi.is_text() ? toi.text() : fmt::format("{}", toi.number()));
+  if (!contact) toi.fail(io::kToiIsRight);
+  return *contact;
+}
+
 Separation separation_of(const JsonNode& distance, const std::optional<JsonNode>& metric) {
   Separation separation;
   separation.distance = distance.number();
@@ -106,6 +114,9 @@ class JsonClaims {
     claim.contact = true;
     if (at(ClaimColumn::contact)) {
       claim.contact = contact_of(*at(ClaimColumn::contact));
+    } else if (at(ClaimColumn::toi)) {
+      claim.contact = contact_by_toi(*at(ClaimColumn::toi));
+      all_.implied_contacts = true;
     } else {
       const std::string fault = io::fault_without_contact("key", at(ClaimColumn::query).has_value(), missing_);
       if (!fault.empty()) node.fail(fault);
@@ -217,21 +228,31 @@ ListedClaims claims_of_columns(const std::string& name, const std::array<const A
   ListedClaims all;
   const auto has = [&](ClaimColumn column) { return arrays[index(column)] != nullptr; };
   all.implied_contacts = !has(ClaimColumn::contact);
-  if (all.implied_contacts) {
+  if (all.implied_contacts && !has(ClaimColumn::toi)) {
     const std::string fault = io::fault_without_contact(thing, has(ClaimColumn::query), missing);
     if (!fault.empty()) io::fail(name, fault);
   }
   const bool have_times = has(ClaimColumn::toi);
-  const std::uint64_t rows = arrays[index(all.implied_contacts ? ClaimColumn::query : ClaimColumn::contact)]->rows();
+  const ClaimColumn any = !all.implied_contacts ? ClaimColumn::contact
+                          : have_times          ? ClaimColumn::toi
+                                                : ClaimColumn::query;
+  const std::uint64_t rows = arrays[index(any)]->rows();
   all.claims.reserve(rows);
   for (std::uint64_t row = 0; row < rows; ++row) {
-    const auto fail = [&](const char* what, double is, const char* right) {
+    const auto fail = [&](const char* what, double is, const std::string& right) {
       io::fail(name, fmt::format("{} of row {} is {}{}", what, row, is, right));
     };
     ListedClaim claim;
-    const double contact = all.implied_contacts ? 1 : value(ClaimColumn::contact, row);
-    if (contact != 0 && contact != 1) fail("contact", contact, "; it must be 0 or 1, or False or True");
-    claim.contact = contact == 1;
+    claim.contact = true;
+    if (!all.implied_contacts) {
+      const double contact = value(ClaimColumn::contact, row);
+      if (contact != 0 && contact != 1) fail("contact", contact, "; it must be 0 or 1, or False or True");
+      claim.contact = contact == 1;
+    } else if (have_times) {
+      const double toi = value(ClaimColumn::toi, row);
+      claim.contact = std::isfinite(toi);
+      if (claim.contact && !(toi >= 0 && toi <= 1)) fail("toi", toi, "; " + std::string(io::kToiIsRight));
+    }
     if (has(ClaimColumn::query)) {
       const double query = value(ClaimColumn::query, row);
       if (!(query >= 0 && query <= 0x1p53 && query == std::floor(query))) {

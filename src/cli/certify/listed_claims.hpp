@@ -26,7 +26,7 @@ struct ListedClaim {
 struct ListedClaims {
   std::vector<ListedClaim> claims;
   std::vector<std::string> unread;  ///< the names of what is not read
-  bool implied_contacts = false;    ///< some claims do not say whether there is contact, and so claim one
+  bool implied_contacts = false;    ///< some claims have no 'contact': their toi says it, or else they claim one
 };
 
 /// Whether a file is read whole: .json, .jsonl, .ndjson, .npy, .npz, and one of another name that starts as JSON does.

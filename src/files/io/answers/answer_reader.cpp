@@ -47,6 +47,11 @@ bool AnswerReader::next(AnswerRow& row) {
     const std::optional<bool> truth = parse_truth(contact);
     if (!truth) records_.refuse("contact is " + in_quotes(contact) + "; " + std::string(kTruthIsRight));
     row.contact = *truth;
+  } else if (has(ClaimColumn::toi)) {
+    const std::string_view toi = field(ClaimColumn::toi);
+    const std::optional<bool> contact = contact_of_toi(toi);
+    if (!contact) records_.refuse("toi is " + in_quotes(toi) + "; " + std::string(kToiIsRight));
+    row.contact = *contact;
   }
 
   row.toi = std::nullopt;
@@ -128,7 +133,7 @@ void AnswerReader::read_header(const ClaimColumns& columns) {
     records_.refuse(
         "no names of columns; --columns says what they are, for example --columns contact,toi or query,contact");
   }
-  if (!has(ClaimColumn::contact)) {
+  if (!has(ClaimColumn::contact) && !has(ClaimColumn::toi)) {
     const std::string fault = fault_without_contact("column", has(ClaimColumn::query), missing_);
     if (!fault.empty()) records_.refuse(fault + (columns.empty() ? "; --columns says what the columns are" : ""));
   }

@@ -34,8 +34,8 @@ struct AnswerRow {
 };
 
 /// Reads CsvRecords. The first line names the columns, in any order, by the names that claim_columns.hpp lists. A
-/// comment before the first row may name them, too, as numpy.savetxt writes it. Only `contact` is needed, or `query` in
-/// a list of contacts alone. `separation` and `metric` say what a row is about; a separation without a metric is
+/// comment before the first row may name them, too, as numpy.savetxt writes it. Only `contact` is needed, or else `toi`
+/// (contact_of_toi), or else `query` in a list of contacts alone. `separation` and `metric` say what a row is about; a separation without a metric is
 /// Euclidean. Other columns are not read. Without such a line, one column is `contact`, and three are `query`, `contact`
 /// and `toi`. The toi of a row without contact is not read.
 class AnswerReader {

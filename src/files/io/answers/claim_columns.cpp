@@ -98,13 +98,25 @@ std::string fault_of_column_count(std::size_t count, const ClaimColumns& columns
 
 std::string fault_without_contact(std::string_view thing, bool has_query, MissingClaim missing) {
   if (has_query && missing == MissingClaim::no_contact) return {};
-  return "no " + std::string(thing) + " is a 'contact'; known names are " + claim_column_names() +
+  return "no " + std::string(thing) + " is a 'contact' or a 'toi'; known names are " + claim_column_names() +
          ". A list of contacts alone, each with the number of its query, needs none with --missing no-contact";
 }
 
 std::optional<double> parse_exact_double(std::string_view text) {
   const auto number = parse_finite_double(text);
   return number && numbers::is_exactly_a_double(text) ? number : std::nullopt;
+}
+
+std::optional<bool> contact_of_toi(std::string_view toi) {
+  if (const auto time = parse_rounded_double(toi)) {
+    return *time >= 0 && *time <= 1 ? std::optional(true) : std::nullopt;
+  }
+  std::string lower = in_lower_case(toi);
+  if (lower.starts_with('+')) lower.erase(0, 1);
+  for (const std::string_view none : {"", "inf", "infinity", "nan", "none", "null"}) {
+    if (lower == none) return false;
+  }
+  return std::nullopt;
 }
 
 std::optional<bool> parse_truth(std::string_view text) {
