@@ -95,8 +95,8 @@ class Painter {
   }
 
   std::array<long, 2> on_page(const Triple& seen) const {
-    constexpr double kFar = 1e6;  // what is cut off may be as far away as doubles go
-    const auto unit = [](double x) { return std::isnan(x) ? 0 : std::lround(std::clamp(x, -kFar, kFar)); };
+    static constexpr double kFar = 1e6;  // what is cut off may be as far away as doubles go
+    const auto unit = [](double x) { return std::isnan(x) ? 0L : std::lround(std::clamp(x, -kFar, kFar)); };
     return {unit(kWide / 2 + scale_ * seen[0]), unit(kTall / 2 - scale_ * seen[1])};
   }
   /// From one vertex by others, in units of the picture.
