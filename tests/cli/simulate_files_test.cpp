@@ -81,7 +81,7 @@ TEST_CASE("files that would take each other's place are refused before anything 
                 "--out names " + out + "/energies.csv, which --queries needs as a folder");
   check_refused({scene, "--scene-out", scene}, "--scene-out would write over ");
   check_refused({scene, "--proof", folder.path("link")}, "--proof would write over ");
-  check_refused({"--resume", state, "--energies", state}, "--energies would write over ");
+  check_refused({"--resume", state, "--energies", state}, "--energies: " + state + " has the ending of another format");
 
   // Files that go well together.
   const Run run = run_program({"simulate", "--resume", state, "--checkpoint", state, "--out", out, "--queries", out,

@@ -234,11 +234,12 @@ void ClaimStream::refuse_file(std::uint64_t row, std::string_view file) const {
       "file is {}, which is none of the query files; claims name them as the command "
       "line does: ",
       io::in_quotes(file));
+  const auto quoted = [&](std::size_t i) { return fmt::format("'{}'", io::printable(inputs_[i].name)); };
   const auto file_name = [](std::string_view path) { return std::filesystem::path(path).filename(); };
   std::string names;
   for (std::size_t i = 0; i < inputs_.size(); ++i) {
-    if (file_name(inputs_[i].name) == file_name(file)) refuse(row, text + io::in_quotes(inputs_[i].name));
-    if (i < kMost) names += (i == 0 ? "" : ", ") + io::in_quotes(inputs_[i].name);
+    if (file_name(inputs_[i].name) == file_name(file)) refuse(row, text + quoted(i));
+    if (i < kMost) names += (i == 0 ? std::string() : ", ") + quoted(i);
   }
   if (inputs_.size() > kMost) names += fmt::format(" and {} more", inputs_.size() - kMost);
   refuse(row, text + names);

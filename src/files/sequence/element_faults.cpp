@@ -14,10 +14,10 @@ using frames::Topology;
 
 /// The name of element i in messages.
 std::string element_name(const Topology& topology, const std::array<MeshIndex, 3>&, std::size_t i) {
-  return "face " + std::to_string(topology.number_of_face(i));
+  return std::string("face ") + std::to_string(topology.number_of_face(i));
 }
 std::string element_name(const Topology& topology, const std::array<MeshIndex, 2>& corners, std::size_t) {
-  return "edge " + corners_text(topology, corners);
+  return std::string("edge ") + corners_text(topology, corners);
 }
 
 template <std::size_t N>

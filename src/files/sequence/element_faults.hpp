@@ -15,7 +15,8 @@ template <std::size_t N>
 std::string corners_text(const frames::Topology& topology, const std::array<MeshIndex, N>& corners) {
   std::string text;
   for (const MeshIndex corner : corners) {
-    text += (text.empty() ? "" : " ") + std::to_string(topology.number_of_vertex(corner));
+    if (!text.empty()) text += ' ';
+    text += std::to_string(topology.number_of_vertex(corner));
   }
   return text;
 }
