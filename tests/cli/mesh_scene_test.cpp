@@ -281,16 +281,12 @@ TEST_CASE("a separation within a part leaves out its own neighbours, counts them
 
   // The proofs are about the same pairs, and the checker says how many only touch.
   const Run proved = wide({"--self", "1.5", "--prove", folder.path("proved")});
-  CAPTURE(proved.out, proved.err);
-  const std::string motion = folder.read("proved/motion.txt");
   const Run checked = run_checker(folder.path("proved/proofs.txt"), {folder.path("proved/motion.txt")});
-  CAPTURE(checked.out, checked.err);
+  CAPTURE(proved.out, proved.err, checked.out, checked.err);
+  CHECK(proved.status == 1);
   CHECK(checked.status == 0);
-  CHECK(occurrences(checked.out, ", " + std::to_string(occurrences(motion, "\ntouching ")) +
-                                     " pairs asked about touching alone\n") == 1);
-  CHECK(occurrences(verdict(proved),
-                    "; " + std::to_string(occurrences(motion, "\ntouching ")) + " pairs that start ") == 1);
-  CHECK((occurrences(checked.out, " 0 contacts, ") == 1) == (proved.status == 0));
+  CHECK(count == std::to_string(occurrences(folder.read("proved/motion.txt"), "\ntouching ")));
+  CHECK(occurrences(checked.out, ", " + count + " pairs asked about touching alone\n") == 1);
 
   check_refused(mesh(with({"--self", "1"}, files)), "--self requires --separation");
   check_refused(wide({"--self", "0"}), "must be greater than 0");
