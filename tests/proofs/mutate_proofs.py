@@ -907,10 +907,10 @@ def motion_cases_of(file, parts):
             new_head.append([sort.decode()] + [names[v] for v in vertices])
         new_head += [["fixed", names[v]] for v in used if v in motion.fixed]
         new_head += [["near"] + [names[v] for v in pair] for pair in motion.near if pair <= set(used)]
-        for kind, first, second in motion.touching:
-            pair = (SORTS[kind][0], first), (SORTS[kind][1], second)
+        for kind, one, two in motion.touching:
+            pair = (SORTS[kind][0], one), (SORTS[kind][1], two)
             if set(pair) <= set(new_numbers):
-                new_head.append(["touching", list(motion.KINDS)[kind].decode()] + [str(new_numbers[one]) for one in pair])
+                new_head.append(["touching", list(motion.KINDS)[kind].decode()] + [str(new_numbers[element]) for element in pair])
         new_head += [["group", names[v], str(motion.groups[v])] for v in used if v in motion.groups]
         new_head += [["ignore"] + [str(group) for group in (min(pair), max(pair))] for pair in motion.ignored]
         bodies = sorted({motion.bodies[v][0] for v in used if v in motion.bodies})
