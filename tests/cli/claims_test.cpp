@@ -449,6 +449,8 @@ TEST_CASE("JSON of claims has the shapes that programs write, whatever its name 
   }
   const auto fault = [](const std::string& claims) { return Judging().run("a.json", claims).err; };
   CHECK(occurrences(fault(R"({"hit": [1, 0], "toi": [0.5]})"), "hit has 2 rows, and toi has 1; all columns") == 1);
+  CHECK(occurrences(fault(R"({"hit": [1, 0, 1], "separation": 0.5})"), "separation is one value beside columns") == 1);
+  CHECK(occurrences(Judging().run("a.json", columns).out, "(not read: 'solver')") == 1);
   CHECK(occurrences(fault(R"({"hit": {"a": 1}})"), "hit has a row 'a'; the names of rows must be their numbers") == 1);
   CHECK(occurrences(fault(R"({"hit": [1, 0, 1], "hit ": [1, 0, 1]})"), "has two keys that are a 'contact'") == 1);
 }

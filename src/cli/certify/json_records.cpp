@@ -73,7 +73,10 @@ json::JsonDocument as_records(json::JsonDocument document) {
     Cells first;
     bool has_numbers = false;
     for (auto& [name, column] : table.items()) {
-      if (!column.is_structured()) continue;  // a fact about the table
+      if (!io::claim_column(name)) continue;
+      if (!column.is_structured()) {
+        throw Error(io::shortened(name) + " is one value beside columns; all columns have the same rows");
+      }
       const Cells cells = cells_of(name, column);
       if (first_name.empty()) {
         first_name = name;
@@ -85,6 +88,9 @@ json::JsonDocument as_records(json::JsonDocument document) {
       }
       has_numbers = has_numbers || io::claim_column(name) == io::ClaimColumn::query;
       for (std::size_t row = 0; row < cells.size(); ++row) records[row][name] = std::move(*cells[row].second);
+    }
+    for (const auto& [name, ignored] : table.items()) {  // the first row tells what is not read
+      if (!io::claim_column(name) && !records.empty()) records[0][name] = nullptr;
     }
     for (std::size_t row = 0; !has_numbers && !counts_from_zero(first) && row < first.size(); ++row) {
       records[row]["query"] = first[row].first;

@@ -7,7 +7,8 @@
 namespace touchstone::cli {
 
 /// A list of rows, each an object, as it is; and one of
-/// - columns, {"hit": [true, false], "toi": [0.5, null]}, of which the claim columns (claim_columns.hpp) are such;
+/// - columns, {"hit": [true, false], "toi": [0.5, null]}: of other keys than those of claim_columns.hpp the name alone
+///   is kept, in the first row;
 /// - columns as pandas writes them, {"hit": {"0": true, "1": false}, ...}: in the order of the rows' numbers. They are
 ///   the numbers of the queries if they are other numbers than 0, 1, 2, ... and no column has these;
 /// - one row, {"hit": true}.
