@@ -105,6 +105,10 @@ Start made_start(const CaseName& name, const CaseSource& source) {
   } else {
     start.asked.query = families::make(name.start.family, name.start.kind, start.rng);
   }
+  if (source.claims != nullptr) {
+    if (auto* const straight = std::get_if<Query>(&start.asked.query))
+      *straight = nearest_claimed(*straight, *source.claims);
+  }
   return start;
 }
 

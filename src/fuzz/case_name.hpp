@@ -13,6 +13,7 @@
 
 #include "families/families.hpp"
 #include "fuzz/any_query.hpp"
+#include "fuzz/auditing/claims.hpp"
 #include "fuzz/climb.hpp"
 
 namespace touchstone::fuzz {
@@ -37,6 +38,7 @@ struct CaseSource {
   Separation separation = {};  ///< of every query
   bool own =
       false;  ///< each query has a distance of its own instead, see families::make_separated and make_curved_separated
+  const Claims* claims = nullptr;  ///< each straight query is the nearest one of these
 };
 
 /// A query, and what it is asked about.

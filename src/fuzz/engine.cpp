@@ -115,12 +115,15 @@ SearchOutcome run(const SolverFactory& make_solver, const Settings& settings, co
   outcome.queries = found.queries;
   outcome.seconds = found.seconds;
   outcome.allowed = state.allowed;
+  outcome.not_claimed = state.not_claimed;
   outcome.given = given.selected;
   outcome.given_asked = state.given_asked;
   outcome.given_not_taken = given.not_taken;
   Findings findings;
   for (Searcher& searcher : searchers) {
     outcome.table.merge(searcher.table);
+    outcome.early.merge(searcher.early);
+    outcome.solver_seconds += searcher.solver_seconds;
     findings.merge(std::move(searcher.findings));
   }
   outcome.kinds_of_failure = findings.size();

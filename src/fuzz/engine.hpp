@@ -9,6 +9,7 @@
 #include <memory>
 #include <vector>
 
+#include "certify/time_errors.hpp"
 #include "fuzz/judging/failure.hpp"
 #include "fuzz/judging/findings.hpp"
 #include "fuzz/settings.hpp"
@@ -40,6 +41,9 @@ struct SearchOutcome {
   std::uint64_t given_asked = 0;      ///< those of them that were asked before the search ended
   std::uint64_t given_not_taken = 0;  ///< those of them whose kind the solver does not support
   std::uint64_t allowed = 0;          ///< replies that are no failures by Allowance::late, near or classes alone
+  std::uint64_t not_claimed = 0;      ///< queries that were not asked, by Settings::claims
+  certify::TimeErrors early;          ///< how far the claimed times that are no failures lie before the exact ones
+  double solver_seconds = 0;          ///< that the solver took to answer, summed over the threads
   FailureTable table;
   std::vector<Finding> findings;
   std::size_t kinds_of_failure = 0;  ///< number of findings, those beyond `most_findings` included

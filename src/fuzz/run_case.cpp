@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "fuzz/run_case.hpp"
 
+#include <type_traits>
 #include <utility>
 
 #include "fuzz/judging/judged_solver.hpp"
@@ -19,7 +20,7 @@ CaseOutcome run_case(SolverUnderTest& solver, const CaseName& name, const Settin
   const Asked asked = asked_in_case(name, case_source(settings));
   check_sort(solver, is_curved(asked.query));
   const Answer truth = judged.truth(asked);
-  const auto [reply, failure, allowed] = judged.ask(asked, truth);
+  const auto [reply, failure, allowed, seconds] = judged.ask(asked, truth);
   if (!failure) return {std::nullopt, allowed};
   Findings findings;
   findings.add(*failure, name, asked, reply, truth);
@@ -31,10 +32,15 @@ CaseOutcome run_case(SolverUnderTest& solver, const CaseName& name, const Settin
 namespace {
 
 /// Shrinks the query of the example, which is of type Q.
+/// @param claims  null: any query may be asked
 template <class Q>
-void shrink_example(Finding& finding, const JudgedSolver& judged, const ShrinkLimits& limits) {
+void shrink_example(Finding& finding, const JudgedSolver& judged, const Claims* claims, const ShrinkLimits& limits) {
   Example best = finding.example;
-  const auto fails = [&](const Q& query, double t_max) {
+  const auto fails = [&](Q query, double t_max) {
+    if constexpr (std::is_same_v<Q, Query>) {
+      if (claims != nullptr) query = nearest_claimed(query, *claims);
+      if (claims != nullptr && !is_claimed(query, *claims, best.separation)) return false;
+    }
     const Asked asked{query, best.separation, t_max};
     const Answer truth = judged.truth(asked);
     // The conditions on the true answer come first, because asking the solver may be dear.
@@ -42,7 +48,7 @@ void shrink_example(Finding& finding, const JudgedSolver& judged, const ShrinkLi
         truth.feature_b != finding.degeneracy.feature_b || degeneracy_of(query, truth) != finding.degeneracy) {
       return false;
     }
-    auto [reply, failure, allowed] = judged.ask(asked, truth);
+    auto [reply, failure, allowed, seconds] = judged.ask(asked, truth);
     if (!failure || failure->failure != finding.failure) return false;
     best = {finding.example.name, query, best.separation, t_max,
             std::move(reply),     truth, failure->detail, difficulty(query)};
@@ -67,10 +73,11 @@ void shrink_finding(Finding& finding, SolverUnderTest& solver, const Settings& s
   ShrinkLimits limits;
   limits.tries = settings.shrink_tries;
   limits.stop = stop;
+  const Claims* const claims = settings.claims ? &*settings.claims : nullptr;
   if (is_curved(finding.example.query)) {
-    shrink_example<CurvedQuery>(finding, judged, limits);
+    shrink_example<CurvedQuery>(finding, judged, claims, limits);
   } else {
-    shrink_example<Query>(finding, judged, limits);
+    shrink_example<Query>(finding, judged, claims, limits);
   }
 }
 

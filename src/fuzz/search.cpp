@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "fuzz/search.hpp"
 
+#include <variant>
+
 namespace touchstone::fuzz {
 
 void SearchState::start_clock() {
@@ -60,12 +62,22 @@ void Searcher::start_from(CaseName name, const JudgedSolver& solver) {
 }
 
 void Searcher::ask(const CaseName& name, const Asked& asked, const JudgedSolver& solver) {
+  if (const auto* const straight = std::get_if<Query>(&asked.query); settings_.claims && straight != nullptr) {
+    if (!is_claimed(*straight, *settings_.claims, asked.separation)) {
+      state_.not_claimed.fetch_add(1, std::memory_order_relaxed);
+      return;
+    }
+  }
   const Answer truth = solver.truth(asked);
-  const auto [reply, failure, allowed] = solver.ask(asked, truth);
+  const auto [reply, failure, allowed, seconds] = solver.ask(asked, truth);
+  solver_seconds += seconds;
   state_.queries.fetch_add(1, std::memory_order_relaxed);
   table.add_case(name);
   if (allowed) state_.allowed.fetch_add(1, std::memory_order_relaxed);
-  if (!failure) return;
+  if (!failure) {
+    if (reply.contact && reply.toi && truth.contact && *reply.toi <= truth.toi) early.add(*reply.toi, truth.toi);
+    return;
+  }
   state_.failures[FailureTable::index(failure->failure)].fetch_add(1, std::memory_order_relaxed);
   table.add_failure(name, failure->failure);
   findings.add(*failure, name, asked, reply, truth);

@@ -10,6 +10,7 @@
 
 #include <touchstone/query.hpp>
 
+#include "certify/time_errors.hpp"
 #include "fuzz/case_name.hpp"
 #include "fuzz/judging/failure.hpp"
 #include "fuzz/judging/findings.hpp"
@@ -25,7 +26,8 @@ struct SearchState {
   std::atomic<std::uint64_t> next = 0;  ///< the next piece of the plan, or the next given query
   std::atomic<std::uint64_t> queries = 0;
   std::atomic<std::uint64_t> given_asked = 0;
-  std::atomic<std::uint64_t> allowed = 0;  ///< replies that are no failures by Allowance alone
+  std::atomic<std::uint64_t> allowed = 0;      ///< replies that are no failures by Allowance alone
+  std::atomic<std::uint64_t> not_claimed = 0;  ///< queries that were not asked, by Settings::claims
   std::array<std::atomic<std::uint64_t>, kFailureClasses> failures{};
 
   /// Starts the clock, once. A solver's program may take as long to start as there is for the search, so that time
@@ -52,6 +54,8 @@ class Searcher {
 
   Findings findings;
   FailureTable table;
+  certify::TimeErrors early;  ///< of the claimed times that are no failures
+  double solver_seconds = 0;
 
  private:
   bool over();

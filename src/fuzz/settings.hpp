@@ -11,6 +11,7 @@
 #include <touchstone/solve.hpp>
 
 #include "families/families.hpp"
+#include "fuzz/auditing/claims.hpp"
 #include "fuzz/case_name.hpp"
 #include "fuzz/judging/failure.hpp"
 
@@ -30,6 +31,7 @@ struct Settings {
   bool own_separations = false;        ///< each query has a distance of its own instead; only the metric is for all
   Method judge = Method::exact;
   Allowance allowance;
+  std::optional<Claims> claims;          ///< of the solver: the nearest straight query that it claims is asked, or none
   std::size_t most_findings = 0;         ///< 0: all
   std::uint64_t shrink_tries = 20'000;   ///< for each finding; 0: examples stay as they were found
   std::optional<double> shrink_seconds;  ///< for all findings together; nothing: no limit
@@ -37,7 +39,7 @@ struct Settings {
 
 /// What the names of this run's cases refer to. The settings must outlive it.
 inline CaseSource case_source(const Settings& settings) {
-  return {settings.given, settings.separation, settings.own_separations};
+  return {settings.given, settings.separation, settings.own_separations, settings.claims ? &*settings.claims : nullptr};
 }
 
 }  // namespace touchstone::fuzz

@@ -56,6 +56,9 @@ TEST_CASE("answers that can be read") {
   const auto read = [](const char* line) { return pipes::read_answer_line(line); };
   CHECK_FALSE(read("0")->contact);
   CHECK_FALSE(read(" 0 \r")->contact);
+  CHECK_FALSE(read("unknown")->known);
+  CHECK(read("0")->known);
+  CHECK_FALSE(read("unknown 1"));
   CHECK(read("1")->contact);
   CHECK_FALSE(read("1")->toi);
   CHECK(read("1 0.5")->toi == 0.5);

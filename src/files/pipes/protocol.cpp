@@ -106,8 +106,9 @@ std::optional<AnswerLine> read_answer_line(std::string_view line) {
   const std::string_view rest = without_blanks(line);
   AnswerLine answer;
   if (word == "unsupported") answer.supported = false;
+  if (word == "unknown") answer.known = false;
   if (word == "1") answer.contact = true;
-  if (!answer.contact && answer.supported && word != "0") return std::nullopt;
+  if (!answer.contact && answer.supported && answer.known && word != "0") return std::nullopt;
   if (rest.empty()) return answer;
   if (!answer.contact) return std::nullopt;
   answer.toi = parse_any_double(rest);

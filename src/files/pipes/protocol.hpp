@@ -20,6 +20,7 @@ namespace touchstone::pipes {
 //            "1 TOI"        contact, first at TOI, a number that C's strtod reads: hexfloat, decimal, nan, inf; at most
 //                           1024 characters. It counts as it is written, not as the double next to it
 //            "1"            contact; this solver reports no time
+//            "unknown"      the solver says that it has failed on this query
 //            "unsupported"  the solver takes no queries of this kind; only as the first answer to a kind
 //            and a line feed. A carriage return and blanks before it do no harm.
 // With a separation D > 0 one line comes before all queries: "separation D METRIC", D a hexfloat and METRIC euclidean
@@ -40,6 +41,7 @@ bool takes_separation(std::string_view answer) noexcept;
 
 struct AnswerLine {
   bool supported = true;
+  bool known = true;  ///< false: the solver says that it has no answer
   bool contact = false;
   std::optional<double> toi;   ///< may be NaN or infinite
   std::string toi_as_written;  ///< as in Claim: the time when `toi` is only the nearest double to it

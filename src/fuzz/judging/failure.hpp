@@ -31,6 +31,10 @@ struct Allowance : certify::Counting<FailureClass> {
   /// A contact that does not exist, where the elements come within this part of the query's greatest coordinate of
   /// being in contact.
   double near = 0;
+  /// An answer that is right for a query whose first element is moved by this length, plus this part of the greatest
+  /// coordinate. A phantom is so where the elements come within that distance of being in contact.
+  double moved = 0;
+  double moved_relative = 0;
 };
 
 /// A failure. `detail` tells a person more than the class alone.

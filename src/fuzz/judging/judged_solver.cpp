@@ -2,6 +2,7 @@
 #include "fuzz/judging/judged_solver.hpp"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <limits>
 
@@ -51,19 +52,52 @@ Answer JudgedSolver::truth(const Asked& asked) const {
 bool JudgedSolver::allows(const JudgedReply& judged, const Asked& asked, const Answer& truth) const {
   const FailureClass failure = judged.failure->failure;
   if (!allowance_.has(failure)) return true;
-  if (failure == FailureClass::late) return allowance_.allows(*judged.reply.toi, truth.toi);
-  if (failure != FailureClass::phantom || allowance_.near == 0) return false;
+  const double size = greatest_coordinate(asked.query), moved = allowance_.moved + allowance_.moved_relative * size;
+  if (failure == FailureClass::late && allowance_.allows(*judged.reply.toi, truth.toi)) return true;
+  if (failure == FailureClass::late || failure == FailureClass::missed) {
+    return moved > 0 && right_when_moved(judged.reply, asked, moved);
+  }
   constexpr double kMost = std::numeric_limits<double>::max();
+  const double near = std::min(allowance_.near * size + moved, kMost);
+  if (failure != FailureClass::phantom || near == 0) return false;
   Asked wider = asked;
-  const double near = std::min(allowance_.near * greatest_coordinate(asked.query), kMost);
   wider.separation.distance = std::min(asked.separation.distance + near, kMost);
   return this->truth(wider).contact;
+}
+
+/// Tries the length and its half and quarter in the directions of a cube's faces and corners. A wrong answer that would
+/// be right only for another motion is missed.
+bool JudgedSolver::right_when_moved(const Reply& reply, const Asked& asked, double length) const {
+  const auto* const straight = std::get_if<Query>(&asked.query);
+  if (straight == nullptr) return false;
+  const std::size_t corners = straight->kind == Kind::edge_edge ? 2 : 1;
+  for (int tried = 0; tried < 3 * 27; ++tried) {
+    const int direction = tried % 27;
+    const double x = direction % 3 - 1, y = direction / 3 % 3 - 1, z = direction / 9 - 1;
+    const double ones = std::fabs(x) + std::fabs(y) + std::fabs(z);
+    if (ones != 1 && ones != 3) continue;
+    const double step = std::ldexp(length, -tried / 27) / std::sqrt(ones);
+    Query moved = *straight;
+    for (auto* const ends : {&moved.start, &moved.end}) {
+      for (std::size_t i = 0; i < corners; ++i) {
+        (*ends)[i] = {(*ends)[i].x + step * x, (*ends)[i].y + step * y, (*ends)[i].z + step * z};
+      }
+    }
+    if (!(greatest_coordinate(moved) <= std::numeric_limits<double>::max())) continue;
+    const Answer truth = this->truth({moved, asked.separation, asked.t_max});
+    const auto failure = failure_of(moved, reply, truth, allowance_.early, asked.separation);
+    if (!failure || (failure->failure == FailureClass::late && allowance_.allows(*reply.toi, truth.toi))) return true;
+  }
+  return false;
 }
 
 JudgedReply JudgedSolver::ask_straight(const Query& query, const Separation& separation, const Answer& truth) const {
   JudgedReply judged;
   if (answering_ == nullptr) {
+    using Clock = std::chrono::steady_clock;
+    const Clock::time_point asked = Clock::now();
     judged.reply = solver_.ask(query);
+    judged.seconds = std::chrono::duration<double>(Clock::now() - asked).count();
     judged.failure = failure_of(query, judged.reply, truth, allowance_.early, separation);
     return judged;
   }

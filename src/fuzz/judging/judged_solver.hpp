@@ -20,7 +20,8 @@ namespace touchstone::fuzz {
 struct JudgedReply {
   Reply reply;
   std::optional<Failure> failure;
-  bool allowed = false;  ///< there is none, by Allowance::late, near or classes alone
+  bool allowed = false;  ///< there is none, by Allowance alone
+  double seconds = 0;    ///< that the solver took
 };
 
 class JudgedSolver {
@@ -36,6 +37,7 @@ class JudgedSolver {
 
  private:
   bool allows(const JudgedReply& judged, const Asked& asked, const Answer& truth) const;
+  bool right_when_moved(const Reply& reply, const Asked& asked, double length) const;
   JudgedReply ask_straight(const Query& query, const Separation& separation, const Answer& truth) const;
   JudgedReply ask_curved(const CurvedQuery& query, double t_max, const Answer& truth) const;
 

@@ -46,6 +46,9 @@ class ChildProcess {
   /// Ends it by force.
   void kill();
 
+  /// Whether it has ended with exit status 0.
+  bool succeeded() const noexcept { return status_ == 0; }
+
   /// How it ended: "signal 11 (Segmentation fault)", "exit status 3"; and then its last words, if any.
   std::string story();
 

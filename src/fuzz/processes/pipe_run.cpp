@@ -10,6 +10,7 @@
 #include <array>
 #include <cerrno>
 #include <sstream>
+#include <utility>
 #include <vector>
 
 #include <touchstone/error.hpp>
@@ -163,6 +164,25 @@ PipeRun::Exchange PipeRun::exchange(std::string_view line, std::chrono::millisec
   }
   result.line = buffer_;
   return result;
+}
+
+std::string PipeRun::read_all(std::chrono::milliseconds time, std::size_t most) {
+  const auto deadline = Clock::now() + time;
+  in_.close_write();
+  while (!closed_ && buffer_.size() <= most) {
+    const auto left = std::chrono::ceil<std::chrono::milliseconds>(deadline - Clock::now()).count();
+    if (left <= 0) throw Error("it has not ended within " + std::to_string(time.count()) + " ms");
+    std::array<pollfd, 2> ends{{{out_.read, POLLIN, 0}, {child_->errors(), POLLIN, 0}}};
+    if (::poll(ends.data(), ends.size(), static_cast<int>(left)) <= 0) continue;
+    if (ends[1].revents != 0) child_->drain();
+    if (ends[0].revents != 0) read_some();
+  }
+  if (buffer_.size() > most) throw Error("it writes more than " + std::to_string(most) + " bytes");
+  if (!child_->wait_until(std::min(deadline, Clock::now() + limits_.farewell))) {
+    throw Error("it has closed its output and does not end");
+  }
+  if (!child_->succeeded()) throw Error(child_->story());
+  return std::exchange(buffer_, {});
 }
 
 }  // namespace touchstone::fuzz

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <chrono>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -31,6 +32,10 @@ class PipeRun {
 
   /// Sends a line (with its line feed) and waits for one.
   Exchange exchange(std::string_view line, std::chrono::milliseconds time);
+
+  /// Closes its input and reads all that it writes until it ends with exit status 0.
+  /// @throws Error  with the reason when it ends otherwise, writes more than `most` bytes, or takes longer than `time`
+  std::string read_all(std::chrono::milliseconds time, std::size_t most);
 
   ChildProcess& child() noexcept { return *child_; }
 

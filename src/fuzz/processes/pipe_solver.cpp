@@ -62,7 +62,7 @@ class PipeSolver : public SolverUnderTest {
       // An interpreter takes some time to start.
       const Reply reply = exchange(plain_query(kind), any ? limits_.answer : limits_.start, supported);
       supported_[static_cast<std::size_t>(kind)] = supported;
-      const bool answered = reply.state == Reply::State::answered;
+      const bool answered = run_ != nullptr;  // one that says 'unknown' goes on
       if (answered && supported && !any) {
         any = true;
         first_ = kind;
@@ -105,7 +105,8 @@ class PipeSolver : public SolverUnderTest {
       return error.what();
     }
     bool supported = true;
-    return exchange(plain_query(first_), limits_.start, supported).detail;
+    const Reply reply = exchange(plain_query(first_), limits_.start, supported);
+    return run_ ? std::string() : reply.detail;
   }
 
   Reply exchange(const Query& query, std::chrono::milliseconds time, bool& supported) {
@@ -133,6 +134,7 @@ class PipeSolver : public SolverUnderTest {
     const auto answer = pipes::read_answer_line(exchange.line);
     if (!answer) return give_up(run_, Reply::State::malformed, io::in_quotes(exchange.line) + " is no answer");
     supported = answer->supported;
+    if (!answer->known) return no_answer(Reply::State::malformed, "it says 'unknown'");
     Reply reply;
     reply.contact = answer->contact;
     reply.toi = answer->toi;
