@@ -15,6 +15,7 @@
 #include <touchstone/error.hpp>
 #include <touchstone/version.hpp>
 
+#include "cli/audit/audit.hpp"
 #include "cli/bench/bench.hpp"
 #include "cli/bodies/bodies.hpp"
 #include "cli/certify/certify.hpp"
@@ -166,6 +167,7 @@ int parse_and_run(int argc, const char* const* argv) {
   add_bench(program, command);
   add_report(program, command);
   add_fuzz(program, command);
+  add_audit(program, command);
   add_stress(program, command);
   add_simulate(program, command);
   add_mesh(program, command);

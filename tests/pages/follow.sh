@@ -61,6 +61,8 @@ reason_not_to_run() {
     *pkg-config*) command -v pkg-config >/dev/null || echo 'pkg-config is not installed; tests/packaging uses it' ;;
     */by_pkg_config) [[ -x $HOME/first_touch/by_pkg_config ]] || echo 'it was not built, without pkg-config' ;;
     *sbatch*) echo 'it hands jobs to a cluster' ;;
+    'touchstone audit --out audit --html'*) echo 'it asks millions of queries, for minutes; tests/audit asks fewer' ;;
+    'npm install '*) echo 'it changes the machine' ;;
     'touchstone stress --out '*) echo 'it measures for half a minute; tests/stress runs it smaller' ;;
     *)
       local tool

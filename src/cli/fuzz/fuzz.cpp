@@ -4,13 +4,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <filesystem>
 
 #include <touchstone/error.hpp>
 
-#include "cli/fuzz/findings_report.hpp"
-#include "cli/fuzz/given.hpp"
-#include "cli/shared/new_folders.hpp"
+#include "cli/shared/findings/findings_report.hpp"
+#include "cli/shared/findings/given.hpp"
 #include "cli/shared/progress/interrupt.hpp"
 #include "cli/shared/progress/pipeline.hpp"
 #include "cli/shared/progress/progress_line.hpp"
@@ -23,16 +21,6 @@ namespace {
 
 constexpr double kUsualSeconds = 10;
 
-/// Throws when nothing can be written to the folder or the page: before minutes are spent on a search, not after.
-void check_outputs(const std::string& out, const std::string& html) {
-  if (html == "-") throw Error("--html: name a file to write, standard output has the findings");
-  if (!html.empty()) io::OutputFile{html};
-  if (out.empty()) return;
-  NewFolders folders;
-  folders.make(out);
-  io::OutputFile((std::filesystem::path(out) / "findings.csv").string());
-}
-
 /// @param summary  lines for the page
 void print_findings(io::OutputFile& console, const std::string& summary, const std::vector<fuzz::Finding>& findings,
                     const FuzzCommandOptions& options) {
@@ -41,7 +29,11 @@ void print_findings(io::OutputFile& console, const std::string& summary, const s
   for (std::size_t i = 0; i < findings.size(); ++i) {
     console.write(finding_for_person(i + 1, findings[i], options, written[i]));
   }
-  if (!options.html.empty()) write_findings_page(summary, findings, options, written);
+  if (options.html.empty()) return;
+  std::vector<view::FindingToShow> shown;
+  for (std::size_t i = 0; i < findings.size(); ++i) shown.push_back(finding_to_show(findings[i], options, written[i]));
+  const std::string solver = options.solver.command.empty() ? options.solver.solver : options.solver.command;
+  write_findings_page(options.html, "findings about the solver " + solver, summary, shown);
 }
 
 int run_one_case(const FuzzCommandOptions& options, const fuzz::Settings& settings) {

@@ -1,18 +1,19 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
-#include <cstddef>
-#include <utility>
+#include <filesystem>
 #include <variant>
 
-#include "cli/fuzz/findings_report.hpp"
+#include <touchstone/error.hpp>
+
+#include "cli/shared/findings/findings_report.hpp"
+#include "cli/shared/new_folders.hpp"
 #include "cli/shared/words.hpp"
 #include "fuzz/judging/finding_text.hpp"
 #include "io/output_file.hpp"
 #include "view/pages/findings_page.hpp"
 
 namespace touchstone::cli {
-namespace {
 
 view::FindingToShow finding_to_show(const fuzz::Finding& finding, const FuzzCommandOptions& options,
                                     const WrittenQuery& written) {
@@ -28,7 +29,7 @@ view::FindingToShow finding_to_show(const fuzz::Finding& finding, const FuzzComm
   shown.corners = fuzz::corners_text(example.query, "");
   if (example.t_max != 1) shown.corners += fmt::format("asked for t in [0, {}]\n", fuzz::decimal_text(example.t_max));
   if (example.separation.distance > 0) shown.corners += separation_for_person(example.separation) + "\n";
-  shown.commands.push_back(case_command(options, example.name));
+  shown.commands.push_back(case_command(options, finding));
   if (!written.file.empty()) {
     shown.commands.push_back(explain_command(finding, written));
   }
@@ -39,17 +40,21 @@ view::FindingToShow finding_to_show(const fuzz::Finding& finding, const FuzzComm
   return shown;
 }
 
-}  // namespace
+void write_findings_page(const std::string& file, const std::string& title, const std::string& summary,
+                         const std::vector<view::FindingToShow>& findings) {
+  io::OutputFile output(file);
+  view::write_page(view::findings_page(title, summary, findings),
+                   [&output](std::string_view bytes) { output.write(bytes); });
+  output.commit();
+}
 
-void write_findings_page(const std::string& summary, const std::vector<fuzz::Finding>& findings,
-                         const FuzzCommandOptions& options, const std::vector<WrittenQuery>& written) {
-  std::vector<view::FindingToShow> shown;
-  for (std::size_t i = 0; i < findings.size(); ++i) shown.push_back(finding_to_show(findings[i], options, written[i]));
-  const std::string solver = options.solver.command.empty() ? options.solver.solver : options.solver.command;
-  io::OutputFile file(options.html);
-  view::write_page(view::findings_page("findings about the solver " + solver, summary, shown),
-                   [&file](std::string_view bytes) { file.write(bytes); });
-  file.commit();
+void check_outputs(const std::string& out, const std::string& html) {
+  if (html == "-") throw Error("--html: name a file to write, standard output has the findings");
+  if (!html.empty()) io::OutputFile{html};
+  if (out.empty()) return;
+  NewFolders folders;
+  folders.make(out);
+  io::OutputFile((std::filesystem::path(out) / "findings.csv").string());
 }
 
 }  // namespace touchstone::cli

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "cli/fuzz/findings_report.hpp"
+#include "cli/shared/findings/findings_report.hpp"
 
 #include <fmt/format.h>
 
@@ -113,7 +113,12 @@ std::string table_for_person(const FailureTable& table) {
   return text;
 }
 
-std::string case_command(const FuzzCommandOptions& options, const fuzz::CaseName& name) {
+std::string case_command(const FuzzCommandOptions& options, const Finding& finding) {
+  if (!options.repeat.empty()) {
+    const bool curved = fuzz::is_curved(finding.example.query);
+    return options.repeat + " --from " +
+           shell_word(findings_file(options.out, finding.degeneracy.kind, finding.failure, curved));
+  }
   std::string command = "touchstone fuzz " + solver_options(options.solver);
   command += options.separation.each ? each_separation_arguments(options.separation.separation.metric)
                                      : separation_arguments(options.separation.separation);
@@ -123,7 +128,7 @@ std::string case_command(const FuzzCommandOptions& options, const fuzz::CaseName
   if (allowance.late) command += " --late " + time_limit_text(*allowance.late);
   if (allowance.near > 0) command += fmt::format(" --near {}", allowance.near);
   for (const std::string& file : options.from) command += " --from " + shell_word(file);
-  return command + " --case " + shell_word(fuzz::case_text(name));
+  return command + " --case " + shell_word(fuzz::case_text(finding.example.name));
 }
 
 std::string finding_for_person(std::size_t number, const Finding& finding, const FuzzCommandOptions& options,
@@ -138,7 +143,7 @@ std::string finding_for_person(std::size_t number, const Finding& finding, const
   text += fmt::format("   claim: {}\n", fuzz::claim_text(example.reply));
   text += fmt::format("   exact: {}\n", fuzz::truth_text(example.truth));
   if (!example.detail.empty()) text += fmt::format("   {}\n", io::printable(example.detail));
-  text += fmt::format("   {}\n", case_command(options, example.name));
+  text += fmt::format("   {}\n", case_command(options, finding));
   if (!written.file.empty()) {
     text += fmt::format("   {}\n", explain_command(finding, written));
   }
@@ -195,9 +200,9 @@ std::vector<WrittenQuery> write_findings(const std::vector<Finding>& findings, c
     }
     const std::string range =
         example.t_max == 1 ? "" : fmt::format(", asked for t in [0, {}]", fuzz::decimal_text(example.t_max));
-    std::string text = fmt::format("# query {}: {}, {}{}\n# {}\n", target->second.queries, name_of(finding.failure),
-                                   fuzz::degeneracy_text(finding.degeneracy), range,
-                                   io::printable(case_command(options, example.name)));
+    std::string text =
+        fmt::format("# query {}: {}, {}{}\n# {}\n", target->second.queries, name_of(finding.failure),
+                    fuzz::degeneracy_text(finding.degeneracy), range, io::printable(case_command(options, finding)));
     const bool truth = contact_in_step(example, options.settings.judge);
     std::visit([&](const auto& query) { io::append_query(text, query, truth); }, example.query);
     target->second.file.write(text);

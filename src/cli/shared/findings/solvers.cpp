@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "cli/fuzz/solvers.hpp"
+#include "cli/shared/findings/solvers.hpp"
 
 #include <fmt/format.h>
 
@@ -29,6 +29,7 @@ fuzz::SolverFactory solver_factory(const SolverChoice& choice, const SeparationO
   const Separation& separation = option.separation;
   fuzz::Limits limits;
   limits.answer = std::chrono::milliseconds(static_cast<std::int64_t>(std::ceil(1000 * choice.limit)));
+  if (choice.any_memory) limits.memory = 0;
   if (!choice.command.empty()) {
     return [command = choice.command, limits, separation] { return fuzz::run_command(command, limits, separation); };
   }

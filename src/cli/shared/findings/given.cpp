@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "cli/fuzz/given.hpp"
+#include "cli/shared/findings/given.hpp"
 
 #include <fmt/format.h>
 
@@ -9,9 +9,9 @@
 
 #include <touchstone/error.hpp>
 
-#include "cli/fuzz/findings_report.hpp"
 #include "cli/shared/command_line/common_options.hpp"
 #include "cli/shared/command_line/turns.hpp"
+#include "cli/shared/findings/findings_report.hpp"
 #include "cli/shared/inputs.hpp"
 #include "cli/shared/words.hpp"
 #include "families/families.hpp"

@@ -6,7 +6,7 @@
 
 #include <touchstone/query.hpp>
 
-#include "cli/fuzz/fuzz.hpp"
+#include "cli/shared/findings/search_options.hpp"
 
 namespace touchstone::cli {
 

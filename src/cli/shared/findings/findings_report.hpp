@@ -1,12 +1,13 @@
-// The report of `touchstone fuzz` on its findings, as text for a person and as query files.
+// The report on the findings of a search for failures, as text for a person and as query files.
 // SPDX-License-Identifier: MIT
 #pragma once
 
 #include <string>
 #include <vector>
 
-#include "cli/fuzz/fuzz.hpp"
+#include "cli/shared/findings/search_options.hpp"
 #include "fuzz/engine.hpp"
+#include "view/pages/findings_page.hpp"
 
 namespace touchstone::cli {
 
@@ -25,8 +26,9 @@ std::string allowed_for_person(const FuzzCommandOptions& options, const fuzz::Se
 /// Failures by family and class. Families without failures are left out. Empty without any failure.
 std::string table_for_person(const fuzz::FailureTable& table);
 
-/// The command that makes this query again, asks the solver again and shrinks the query again.
-std::string case_command(const FuzzCommandOptions& options, const fuzz::CaseName& name);
+/// The command that makes the finding's query again, or reads it again, asks the solver again and shrinks the query
+/// again.
+std::string case_command(const FuzzCommandOptions& options, const fuzz::Finding& finding);
 
 /// The position of a finding's query among the written files.
 struct WrittenQuery {
@@ -50,8 +52,16 @@ std::string findings_file(const std::string& out, Kind kind, fuzz::FailureClass 
 /// @returns the position of each @throws FileError
 std::vector<WrittenQuery> write_findings(const std::vector<fuzz::Finding>& findings, const FuzzCommandOptions& options);
 
+/// The finding for a page.
+view::FindingToShow finding_to_show(const fuzz::Finding& finding, const FuzzCommandOptions& options,
+                                    const WrittenQuery& written);
+
 /// Writes the page of the findings. @param summary  whole lines about the search @throws FileError
-void write_findings_page(const std::string& summary, const std::vector<fuzz::Finding>& findings,
-                         const FuzzCommandOptions& options, const std::vector<WrittenQuery>& written);
+void write_findings_page(const std::string& file, const std::string& title, const std::string& summary,
+                         const std::vector<view::FindingToShow>& findings);
+
+/// Throws when nothing can be written to the folder or the page (empty: none): before minutes are spent on a search, not
+/// after. @throws Error
+void check_outputs(const std::string& out, const std::string& html);
 
 }  // namespace touchstone::cli
