@@ -15,6 +15,7 @@ b2Vec2 vector(const engine::Point& p) { return {static_cast<float>(p[0]), static
 /// The sweep of a body whose centre is the element's first corner.
 b2Sweep sweep(const Query& q, std::size_t corner) {
   b2Sweep s{};
+  s.localCenter.SetZero();  // its own constructor leaves it as it is
   s.c0 = vector(q.start[corner]);
   s.c = vector(q.end[corner]);
   return s;

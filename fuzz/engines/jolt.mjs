@@ -71,6 +71,7 @@ function ray(q) {
 
 const cast_settings = new Jolt.ShapeCastSettings();
 cast_settings.mBackFaceModeTriangles = Jolt.EBackFaceMode_CollideWithBackFaces;
+cast_settings.mBackFaceModeConvex = Jolt.EBackFaceMode_CollideWithBackFaces;
 const tolerance = cast_settings.mCollisionTolerance;
 
 /** Casts a shape from a place by a motion against the body that stands there. */
@@ -118,7 +119,7 @@ await serve([
     kinds edge-edge vertex-face
     motion cast
     separation 0.25
-    tolerance-length ${tolerance}
+    tolerance-length ${tolerance.toPrecision(1)}
     tolerance-relative 1e-5
-    note the default settings: mCollisionTolerance ${tolerance}` },
+    note the default settings but for back faces, which count: mCollisionTolerance ${tolerance.toPrecision(1)}` },
 ]);

@@ -1,6 +1,6 @@
 // MuJoCo (its WebAssembly package): rays against a capsule, and the distance of two capsules that stand still.
 // SPDX-License-Identifier: MIT
-import { engine, length, middle, minus, serve, turn, version_of } from "./engine.mjs";
+import { engine, length, middle, minus, serve, turn } from "./engine.mjs";
 
 const { default: load } = await engine("mujoco-js");
 const mujoco = await load();
@@ -30,6 +30,7 @@ function ray(q) {
 function pose(q, geom, i) {
   const along = minus(q.start[i + 1], q.start[i]);
   model.geom_size.set([RADIUS, length(along) / 2, 0], 3 * geom);
+  model.geom_rbound[geom] = RADIUS + length(along) / 2;
   data.geom_xpos.set(middle(q.start[i], q.start[i + 1]), 3 * geom);
   data.geom_xmat.set(rotation(along), 9 * geom);
 }
@@ -40,7 +41,7 @@ function still(q) {
   return mujoco.mj_geomDistance(model, data, 0, 1, 1, null) <= 0 ? 0 : null;
 }
 
-const common = `engine ${version_of(`MuJoCo ${mujoco.mj_versionString()},`, "mujoco-js")}
+const common = `engine MuJoCo ${mujoco.mj_versionString()} (npm mujoco-js)
   elements 0.001
   sizes 0.5 8
   separation 0.25
