@@ -47,24 +47,20 @@ Momentum momentum_of(const Simulation& simulation) {
   return sum;
 }
 
-bool any_touch(const BodyColliders& colliders, const BodyStates& from, const BodyStates& to) {
+bool any_touch(const Colliders& colliders, const BodyStates& from, const BodyStates& to) {
   const VectorX none;
-  const BodyMotions motions{&from, &to, &none, &none};
-  const auto touch = [&](const BodyPair& pair) { return solve(colliders.query(pair, motions)).contact; };
-  for (Index a = 0; a < from.size(); ++a) {
-    for (Index b = 0; b < from.size(); ++b) {
-      if (a == b) continue;
-      const ElementSet &first = colliders.surface(a), &second = colliders.surface(b);
-      for (Index i = 0; a < b && i < first.edges.size(); ++i) {
-        for (Index j = 0; j < second.edges.size(); ++j) {
-          if (touch({Kind::edge_edge, {a, i}, {b, j}})) return true;
-        }
-      }
-      for (const Index v : first.vertices) {
-        for (Index f = 0; f < second.faces.size(); ++f) {
-          if (touch({Kind::vertex_face, {a, v}, {b, f}})) return true;
-        }
-      }
+  const SceneMotion motion{&none, &none, &from, &to};
+  const auto touch = [&](const Pair& pair) { return solve(colliders.query(pair, motion)).contact; };
+  const auto &first = colliders.before(1), &all = colliders.before(colliders.group_count());
+  for (Index i = first.edges; i < all.edges; ++i) {
+    for (Index j = colliders.before(colliders.group_of(MeshElement::edge, i) + 1).edges; j < all.edges; ++j) {
+      if (touch({Kind::edge_edge, i, j})) return true;
+    }
+  }
+  for (Index v = first.vertices; v < all.vertices; ++v) {
+    for (Index f = first.faces; f < all.faces; ++f) {
+      if (colliders.group_of(v) == colliders.group_of(MeshElement::face, f)) continue;
+      if (touch({Kind::vertex_face, v, f})) return true;
     }
   }
   return false;

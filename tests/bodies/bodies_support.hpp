@@ -23,6 +23,6 @@ Momentum momentum_of(const sim::BodySystem& system, const sim::BodyStates& state
 Momentum momentum_of(const sim::Simulation& simulation);
 
 /// Every pair of elements of two different bodies, asked without a broad phase: whether any touches.
-bool any_touch(const sim::BodyColliders& colliders, const sim::BodyStates& from, const sim::BodyStates& to);
+bool any_touch(const sim::Colliders& colliders, const sim::BodyStates& from, const sim::BodyStates& to);
 
 }  // namespace touchstone::tests

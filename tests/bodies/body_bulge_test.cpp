@@ -111,15 +111,13 @@ TEST_CASE("bodies that touch on strongly bent ways are among the candidates") {
     target.faces = {{0, 1, 2}};
     scene.bodies = {rod, target};
     const System system(scene);
-    const Colliders particles(scene, system);
-    const BodySystem bodies(scene);
-    const BodyColliders colliders(scene, system, particles, bodies);
+    const Colliders colliders(scene, system);
     const VectorX none;
-    const BodyMotions motions{&from, &to, &none, &none};
-    const auto candidates = colliders.candidates(motions, 0);
-    for (Index edge = 0; edge < 3; ++edge) {
-      const BodyPair pair{touchstone::Kind::edge_edge, {0, 0}, {1, edge}};
-      if (!solve(colliders.query(pair, motions)).contact) continue;
+    const SceneMotion motion{&none, &none, &from, &to};
+    const auto candidates = colliders.body_candidates(motion, 0);
+    for (Index edge = 1; edge <= 3; ++edge) {
+      const Pair pair{touchstone::Kind::edge_edge, 0, edge};
+      if (!solve(colliders.query(pair, motion)).contact) continue;
       ++touching;
       REQUIRE(std::find(candidates.begin(), candidates.end(), pair) != candidates.end());
     }
@@ -134,10 +132,8 @@ TEST_CASE("links of many edges that touch are candidates, whatever clusters thei
     Scene scene;
     scene.bodies = make_link_chain(2).bodies;
     const System system(scene);
-    const Colliders particles(scene, system);
-    const BodySystem bodies(scene);
-    const BodyColliders colliders(scene, system, particles, bodies);
-    BodyStates from = bodies.initial(), to = from;
+    const Colliders colliders(scene, system);
+    BodyStates from = colliders.bodies().initial(), to = from;
     for (std::size_t i = 0; i < 2; ++i) {
       from[i].pose = {rotation_by(0.3 * random.vector()), from[i].pose.p + 0.03 * random.vector()};
       to[i].pose = {product(rotation_by(0.2 * random.vector()), from[i].pose.q),
@@ -145,15 +141,15 @@ TEST_CASE("links of many edges that touch are candidates, whatever clusters thei
       if (dot(from[i].pose.q, to[i].pose.q) < 0) to[i].pose.q = negated(to[i].pose.q);
     }
     const VectorX none;
-    const BodyMotions motions{&from, &to, &none, &none};
-    const auto candidates = colliders.candidates(motions, 0);
+    const SceneMotion motion{&none, &none, &from, &to};
+    const auto candidates = colliders.body_candidates(motion, 0);
     pairs += candidates.size();
-    const auto edges = static_cast<Index>(colliders.surface(0).edges.size());
+    const auto edges = static_cast<Index>(colliders.edges_of(1).size());
     REQUIRE(edges == 100);
     for (Index a = 0; a < edges; ++a) {
-      for (Index b = 0; b < edges; ++b) {
-        const BodyPair pair{touchstone::Kind::edge_edge, {0, a}, {1, b}};
-        if (!solve(colliders.query(pair, motions), {.wanted = Wanted::contact}).contact) continue;
+      for (Index b = edges; b < 2 * edges; ++b) {
+        const Pair pair{touchstone::Kind::edge_edge, a, b};
+        if (!solve(colliders.query(pair, motion), {.wanted = Wanted::contact}).contact) continue;
         ++touching;
         REQUIRE(std::find(candidates.begin(), candidates.end(), pair) != candidates.end());
       }

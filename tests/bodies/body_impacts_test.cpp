@@ -168,7 +168,7 @@ TEST_CASE("bodies that nothing parts move as one: with their momentum, and witho
       scene.bodies.push_back(body);
     }
     const Simulation simulation(scene, {});
-    const BodyColliders& colliders = simulation.bodies()->colliders();
+    const Colliders& colliders = simulation.colliders();
     const BodyResponse response(colliders, simulation.system(), scene.settings);
     const BodiesState start = simulation.bodies()->state();
     const VectorX none;

@@ -72,8 +72,7 @@ TEST_CASE("bodies that collide keep momentum and angular momentum, gain no energ
         const double after = simulation.energies().total();
         CHECK(after <= energy * (1 + 1e-9));
         energy = after;
-        if (records.size() == 1)
-          REQUIRE(!any_touch(simulation.bodies()->colliders(), from, simulation.bodies()->state().bodies));
+        if (records.size() == 1) REQUIRE(!any_touch(simulation.colliders(), from, simulation.bodies()->state().bodies));
       }
       CHECK(contacts > 0);
       const Momentum after = momentum_of(simulation);
@@ -188,7 +187,7 @@ TEST_CASE("a checkpoint of bodies resumes to the last bit, and a changed one is 
   refused([](BodiesState& s) { s.bodies[0].pose.p.x() += 1e-9; }, "bodies[0].position");
   refused([](BodiesState& s) { s.bodies[2].pose.p = s.bodies[1].pose.p; },
           "begins with elements that pierce each other");
-  refused([](BodiesState& s) { s.forces[0].pair.a.number = 12345; }, "contact_forces[0]");
+  refused([](BodiesState& s) { s.forces[0].pair.i = 12345; }, "contact_forces[0]");
   refused([](BodiesState& s) { s.forces.push_back(s.forces[0]); }, "contact_forces[");
 }
 
@@ -232,7 +231,7 @@ TEST_CASE("bodies and particles keep the distances that their radii ask for") {
   scene.cables.push_back(cable);
   scene.particles[add_particle(scene, {0.1, 0.02, 0.6}, 0.01)].radius = 0.015;
   Simulation simulation(scene, {});
-  const BodyColliders& colliders = simulation.bodies()->colliders();
+  const Colliders& colliders = simulation.colliders();
   // Every pair of a body with anything, without a broad phase, is asked by the solver about each substep's two ends,
   // and measured in doubles between them.
   std::uint64_t contacts = 0, asked = 0, separated = 0;
@@ -243,35 +242,30 @@ TEST_CASE("bodies and particles keep the distances that their radii ask for") {
     const auto records = simulation.step();
     for (const auto& record : records) {
       contacts += record.bodies.close;
-      separated += record.proof.separated;
+      separated += record.proof.separations.pairs;
     }
     if (records.size() != 1) continue;
-    const BodyMotions motions{&from, &simulation.bodies()->state().bodies, &x0, &simulation.state().q};
-    const auto ask = [&](const BodyPair& pair, double d) {
+    const SceneMotion motion{&x0, &simulation.state().q, &from, &simulation.bodies()->state().bodies};
+    const auto ask = [&](const Pair& pair, double d) {
       const double kept = colliders.separation(pair);  // rounded up
       REQUIRE(kept >= d);
       REQUIRE(kept <= std::nextafter(d, 1.0));
-      const CurvedQuery query = colliders.query(pair, motions);
+      const CurvedQuery query = colliders.query(pair, motion);
       REQUIRE(!solve(query, {.separation = Separation{kept, Metric::euclidean}}).contact);
       ++asked;
-      const auto near = closest(colliders, pair, motions, 1);
+      const auto near = closest(colliders, pair, motion, 1);
       if (near) nearest = std::min(nearest, near->gap);
     };
-    const ElementSet &wire = colliders.surface(1), &block = colliders.surface(0), &rest = colliders.surface(kParticles);
-    for (const Index v : wire.vertices) {
-      for (Index f = 0; f < 4; ++f) ask({touchstone::Kind::vertex_face, {1, v}, {0, f}}, 0.01 + 0.02);
+    // The particles, the block and the wire.
+    const auto &block = colliders.before(1), &wire = colliders.before(2), &end = colliders.before(3);
+    for (Index v = wire.vertices; v < end.vertices; ++v) {
+      for (Index f = 0; f < 4; ++f) ask({touchstone::Kind::vertex_face, v, block.faces + f}, 0.01 + 0.02);
     }
-    for (Index e = 0; e < rest.edges.size(); ++e) {
-      for (Index w = 0; w < wire.edges.size(); ++w) {
-        ask({touchstone::Kind::edge_edge, {kParticles, e}, {1, w}}, 0.005 + 0.02);
-      }
+    for (Index w = wire.edges; w < end.edges; ++w) {
+      for (Index e = 0; e < block.edges; ++e) ask({touchstone::Kind::edge_edge, e, w}, 0.005 + 0.02);
+      ask({touchstone::Kind::point_edge, 7, w}, 0.015 + 0.02);
     }
-    for (Index w = 0; w < wire.edges.size(); ++w) {
-      ask({touchstone::Kind::point_edge, {kParticles, 7}, {1, w}}, 0.015 + 0.02);
-    }
-    for (Index f = 0; f < block.faces.size(); f += 4) {
-      ask({touchstone::Kind::vertex_face, {kParticles, 7}, {0, f}}, 0.015 + 0.01);
-    }
+    for (Index f = block.faces; f < wire.faces; f += 4) ask({touchstone::Kind::vertex_face, 7, f}, 0.015 + 0.01);
   }
   CHECK(contacts > 0);
   CHECK(asked > 0);

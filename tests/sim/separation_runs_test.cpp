@@ -37,10 +37,10 @@ MeasuredCourse measured_run(const Scene& scene, const Scene& measured, int steps
     for (const SubstepRecord& record : records) {
       course.contacts += record.response.contacts + record.response.close;
       course.entering += record.response.natures[static_cast<std::size_t>(touchstone::Nature::entering)];
-      course.separated += record.proof.separated;
+      course.separated += record.proof.separations.pairs;
       course.zones += static_cast<std::uint64_t>(record.response.zones);
       CHECK(record.proof.crossings == 0);
-      CHECK(record.proof.separated <= record.proof.pairs);
+      CHECK(record.proof.separations.pairs <= record.proof.pairs);
     }
     if (i < first_measured) continue;
     // The states at the ends of shorter substeps are not kept.

@@ -82,8 +82,8 @@ void pierce(Scene& scene) {
     }
     scene.faces.push_back({{first, first + 1, first + 2}});
   };
-  if (!colliders.edges().empty()) {
-    const Edge& edge = colliders.edges().back();
+  if (const auto edges = colliders.edges_of(kParticles); !edges.empty()) {
+    const Edge& edge = edges.back();
     plant_face(position(system.initial_position, edge[0]), position(system.initial_position, edge[1]));
     return;
   }

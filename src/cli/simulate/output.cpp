@@ -54,42 +54,32 @@ constexpr const char* kPlotScript =
 
 Vec3 vec(const sim::Vector3& x) { return {x.x(), x.y(), x.z()}; }
 
-/// The vertices of bodies come after all particles.
-void add_bodies(proofs::MotionElements& elements, const sim::BodyColliders& colliders) {
-  for (sim::Index b = 0; b < colliders.surfaces().size(); ++b) {
-    const sim::ElementSet& surface = colliders.surface(b);
-    std::vector<Vec3> points;
-    for (const sim::Vector3& point : colliders.bodies().bodies()[b].points) points.push_back(vec(point));
-    proofs::add_body(elements, b, points, surface.vertices, surface.edges, surface.faces);
-    elements.fixed.resize(elements.vertex_count, colliders.can_move(b) ? 0 : 1);
-    if (!colliders.has_separations()) continue;
-    elements.radii.points.resize(elements.points.size(), colliders.radius(b));
-    elements.radii.edges.resize(elements.edges.size(), colliders.radius(b));
-    elements.radii.faces.resize(elements.faces.size(), colliders.radius(b));
-  }
-}
-
 /// The elements that collide, by the numbers of their particles, and of the vertices of bodies after them.
 proofs::MotionElements motion_elements(const sim::Simulation& simulation) {
   const sim::Colliders& colliders = simulation.colliders();
+  const auto of_particles = colliders.edges_of(sim::kParticles);
   proofs::MotionElements elements;
-  elements.vertex_count = simulation.scene().particles.size();
-  elements.points = proofs::colliding_vertices(colliders.edges(), colliders.points());
+  elements.points = proofs::colliding_vertices({of_particles.begin(), of_particles.end()}, colliders.points());
   elements.edges = colliders.edges();
   elements.faces = colliders.faces();
-  for (sim::Index p = 0; p < elements.vertex_count; ++p) elements.fixed.push_back(colliders.can_move(p) ? 0 : 1);
-  if (simulation.has_separations()) {
-    for (const sim::Index p : elements.points)
-      elements.radii.points.push_back(colliders.radius_of(MeshElement::vertex, p));
-    for (sim::Index e = 0; e < elements.edges.size(); ++e) {
-      elements.radii.edges.push_back(colliders.radius_of(MeshElement::edge, e));
+  elements.vertex_count = simulation.scene().particles.size();
+  for (sim::Index b = 0; b + 1 < colliders.group_count(); ++b) {
+    for (const sim::Vector3& point : colliders.bodies().bodies()[b].points) {
+      elements.on_bodies.push_back({b, vec(point)});
+      elements.points.push_back(static_cast<sim::Index>(elements.vertex_count++));
     }
-    for (sim::Index f = 0; f < elements.faces.size(); ++f) {
-      elements.radii.faces.push_back(colliders.radius_of(MeshElement::face, f));
-    }
-    colliders.neighbours().for_each([&](sim::Index a, sim::Index b) { elements.radii.near.push_back({a, b}); });
   }
-  if (simulation.bodies() != nullptr) add_bodies(elements, simulation.bodies()->colliders());
+  for (sim::Index v = 0; v < elements.vertex_count; ++v) elements.fixed.push_back(colliders.can_move(v) ? 0 : 1);
+  if (!simulation.has_separations()) return elements;
+  for (const sim::Index v : elements.points)
+    elements.radii.points.push_back(colliders.radius_of(MeshElement::vertex, v));
+  for (sim::Index e = 0; e < elements.edges.size(); ++e) {
+    elements.radii.edges.push_back(colliders.radius_of(MeshElement::edge, e));
+  }
+  for (sim::Index f = 0; f < elements.faces.size(); ++f) {
+    elements.radii.faces.push_back(colliders.radius_of(MeshElement::face, f));
+  }
+  colliders.neighbours().for_each([&](sim::Index a, sim::Index b) { elements.radii.near.push_back({a, b}); });
   return elements;
 }
 

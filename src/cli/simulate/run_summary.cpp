@@ -18,8 +18,8 @@ void StepTotals::add(const std::vector<sim::SubstepRecord>& records) {
     gained += static_cast<std::uint64_t>(record.gained_energy);
     if (record.excess > 1) ++inaccurate;
     first_order += static_cast<std::uint64_t>(record.first_order);
-    separated += record.proof.separated;
-    largest_separation = std::max(largest_separation, record.proof.largest);
+    separated += record.proof.separations.pairs;
+    largest_separation = std::max(largest_separation, record.proof.separations.largest);
   }
 }
 

@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <utility>
-#include <variant>
 
 #include "cli/shared/animation_file.hpp"
 #include "cli/shared/exact_corners.hpp"
@@ -17,7 +16,6 @@ namespace touchstone::cli {
 namespace {
 
 using geometry::traits_of;
-using view::AnimationElement;
 
 view::Triple triple(const sim::Vector3& x) { return {x.x(), x.y(), x.z()}; }
 
@@ -26,24 +24,14 @@ view::AnimationShape shape_of(const sim::Simulation& simulation) {
   view::AnimationShape shape;
   shape.vertex_name = std::string(simulation.scene().particles.empty() ? "vertex" : "particle");
   const sim::Colliders& colliders = simulation.colliders();
-  const auto count = [](const auto& all) { return static_cast<std::uint32_t>(all.size()); };
-  shape.groups.push_back({"", count(simulation.scene().particles), count(colliders.edges()), count(colliders.faces())});
+  for (sim::Index group = 0; group < colliders.group_count(); ++group) {
+    const sim::Colliders::Counts &first = colliders.before(group), &end = colliders.before(group + 1);
+    shape.groups.push_back({group == sim::kParticles ? "" : fmt::format("body {}", group - 1),
+                            end.vertices - first.vertices, end.edges - first.edges, end.faces - first.faces});
+  }
   shape.edges = colliders.edges();
   shape.faces = colliders.faces();
   shape.points = colliders.points();
-  if (simulation.bodies() == nullptr) return shape;
-  const auto& bodies = simulation.bodies()->system().bodies();
-  std::uint32_t first = shape.groups.front().vertices;
-  for (sim::Index b = 0; b < bodies.size(); ++b) {
-    const sim::ElementSet& surface = simulation.bodies()->colliders().surface(b);
-    shape.groups.push_back(
-        {fmt::format("body {}", b), count(bodies[b].points), count(surface.edges), count(surface.faces)});
-    for (const sim::Edge& edge : surface.edges) shape.edges.push_back({first + edge[0], first + edge[1]});
-    for (const sim::Face& face : surface.faces) {
-      shape.faces.push_back({first + face[0], first + face[1], first + face[2]});
-    }
-    first += shape.groups.back().vertices;
-  }
   return shape;
 }
 
@@ -52,22 +40,10 @@ std::vector<view::AnimationPlot> plots() {
           {"pairs since the frame before", {{"close", true}, {"contacts", true}, {"crossings", true}}}};
 }
 
-std::vector<view::AnimationGroup> offsets_of(const view::AnimationShape& shape) {
-  std::vector<view::AnimationGroup> offsets;
-  view::AnimationGroup sum;
-  for (const view::AnimationGroup& group : shape.groups) {
-    offsets.push_back(sum);
-    sum.vertices += group.vertices;
-    sum.edges += group.edges;
-    sum.faces += group.faces;
-  }
-  return offsets;
-}
-
 }  // namespace
 
 SimulationAnimation::SimulationAnimation(const sim::Simulation& simulation)
-    : simulation_(&simulation), offsets_(offsets_of(shape_of(simulation))), animation_(shape_of(simulation), plots()) {
+    : simulation_(&simulation), animation_(shape_of(simulation), plots()) {
   add_frame({});
 }
 
@@ -80,16 +56,10 @@ void SimulationAnimation::step(const std::vector<sim::SubstepRecord>& records) {
 
 std::vector<double> SimulationAnimation::positions() const {
   std::vector<double> all;
-  const auto add = [&all](const sim::Vector3& x) { all.insert(all.end(), {x.x(), x.y(), x.z()}); };
-  for (sim::Index p = 0; p < simulation_->scene().particles.size(); ++p) {
-    add(sim::position(simulation_->state().q, p));
-  }
-  if (simulation_->bodies() == nullptr) return all;
-  const auto& bodies = simulation_->bodies()->system().bodies();
-  for (std::size_t b = 0; b < bodies.size(); ++b) {
-    const sim::Pose& pose = simulation_->bodies()->state().bodies[b].pose;
-    const sim::Matrix3 turn = sim::matrix_of(pose.q);
-    for (const sim::Vector3& x : bodies[b].points) add(pose.p + turn * x);
+  const sim::Colliders& colliders = simulation_->colliders();
+  for (sim::Index v = 0; v < colliders.before(colliders.group_count()).vertices; ++v) {
+    const sim::Vector3 x = simulation_->position_of(v);
+    all.insert(all.end(), {x.x(), x.y(), x.z()});
   }
   return all;
 }
@@ -111,27 +81,16 @@ view::AnimationPair SimulationAnimation::elements(const sim::Pair& pair) const {
   return {{traits_of(pair.kind).first.sort, pair.i}, {traits_of(pair.kind).second.sort, pair.j}};
 }
 
-view::AnimationPair SimulationAnimation::elements(const sim::BodyPair& pair) const {
-  const auto element = [&](MeshElement sort, const sim::OfBody& of) {
-    const view::AnimationGroup& first = offsets_[of.body == sim::kParticles ? 0 : of.body + 1];
-    const std::uint32_t offset = sort == MeshElement::edge   ? first.edges
-                                 : sort == MeshElement::face ? first.faces
-                                                             : first.vertices;
-    return AnimationElement{sort, offset + of.number};
-  };
-  return {element(traits_of(pair.kind).first.sort, pair.a), element(traits_of(pair.kind).second.sort, pair.b)};
-}
-
 void SimulationAnimation::add_contacts(const sim::SubstepRecord& record) {
   for (const sim::ContactMark& mark : record.contacts) {
-    const auto pair = animation_.pair(std::visit([this](const auto& of_sort) { return elements(of_sort); }, mark.pair));
+    const auto pair = animation_.pair(elements(mark.pair));
     const double time = record.time - record.length * (1 - (mark.touches ? mark.time : 1));
     const view::MarkSort sort = mark.touches ? view::MarkSort::contact : view::MarkSort::close;
     animation_.add_mark({time, triple(mark.point), pair, sort});
     if (!mark.touches || !animation_.has_room(sort)) continue;
     if (told_.size() <= pair) told_.resize(pair + 1, 0);
     if (std::exchange(told_[pair], 1)) continue;
-    const auto [names, corners] = std::visit([this](const auto& of_sort) { return words_of(of_sort); }, mark.pair);
+    const auto [names, corners] = words_of(mark.pair);
     animation_.add_story(
         {time, triple(mark.point), pair, sort, fmt::format("step {}, {:.6g} s: {}", record.step, time, names),
          "<p>Without an answer the pair would have touched here. The response moved it apart, and the step was taken "
@@ -141,26 +100,12 @@ void SimulationAnimation::add_contacts(const sim::SubstepRecord& record) {
 }
 
 SimulationAnimation::Words SimulationAnimation::words_of(const sim::Pair& pair) const {
-  Words words{simulation_->colliders().describe(pair), {}};
-  const auto corners = simulation_->colliders().corners(pair);
-  for (std::size_t c = 0; c < corner_count(pair.kind); ++c) {
-    const Vec3 x = sim::corner_of(simulation_->state().q, corners[c]);
-    words.corners += exact_corner(fmt::format("particle {}", corners[c]), x);
-  }
-  return words;
-}
-
-SimulationAnimation::Words SimulationAnimation::words_of(const sim::BodyPair& pair) const {
-  const sim::BodyColliders& colliders = simulation_->bodies()->colliders();
+  const sim::Colliders& colliders = simulation_->colliders();
   Words words{colliders.describe(pair), {}};
   const auto corners = colliders.corners(pair);
   for (std::size_t c = 0; c < corner_count(pair.kind); ++c) {
-    const sim::OfBody& corner = corners[c];
-    const sim::Vector3 x = colliders.at(corner, simulation_->bodies()->state().bodies, simulation_->state().q);
-    const std::string name = corner.body == sim::kParticles
-                                 ? fmt::format("particle {}", corner.number)
-                                 : fmt::format("vertex {} of body {}", corner.number, corner.body);
-    words.corners += exact_corner(name, {x.x(), x.y(), x.z()});
+    const sim::Vector3 x = simulation_->position_of(corners[c]);
+    words.corners += exact_corner(colliders.describe(MeshElement::vertex, &corners[c]), {x.x(), x.y(), x.z()});
   }
   return words;
 }

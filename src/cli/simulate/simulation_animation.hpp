@@ -29,7 +29,6 @@ class SimulationAnimation {
   void add_contacts(const sim::SubstepRecord& record);
   void add_crossing(const sim::Crossing& crossing);
   view::AnimationPair elements(const sim::Pair& pair) const;
-  view::AnimationPair elements(const sim::BodyPair& pair) const;
   std::vector<double> positions() const;
 
   /// The names of a pair, and lines with the exact coordinates of its corners now.
@@ -37,10 +36,8 @@ class SimulationAnimation {
     std::string names, corners;
   };
   Words words_of(const sim::Pair& pair) const;
-  Words words_of(const sim::BodyPair& pair) const;
 
   const sim::Simulation* simulation_;
-  std::vector<view::AnimationGroup> offsets_;  ///< the sums of the groups before: of the particles, and of each body
   view::Animation animation_;
   std::vector<char> told_;  ///< by pair: the list has it
   std::size_t crossings_ = 0;

@@ -10,7 +10,6 @@
 #include <touchstone/curved.hpp>
 
 #include "bodies/spin.hpp"
-#include "body_contact/body_colliders.hpp"
 #include "families/curved_parts.hpp"
 #include "scene/shipped_scenes.hpp"
 #include "sim/simulated_bodies.hpp"
@@ -19,10 +18,10 @@
 namespace touchstone::report {
 namespace {
 
-using sim::BodyMotions;
-using sim::BodyPair;
 using sim::BodyStates;
-using sim::SimulatedBodies;
+using sim::Colliders;
+using sim::Pair;
+using sim::SceneMotion;
 
 /// A scene without particles, after how many steps its bodies are near each other, and how many steps lie between two
 /// whose pairs are taken.
@@ -68,12 +67,12 @@ class Collected {
   }
 
   /// Those of a step that was taken.
-  void add_taken(const SimulatedBodies& bodies, const BodyMotions& motions) {
-    const std::vector<BodyPair> pairs = bodies.colliders().candidates(motions, options_.separation);
+  void add_taken(const Colliders& colliders, const SceneMotion& motion) {
+    const std::vector<Pair> pairs = colliders.body_candidates(motion, options_.separation);
     for (const Kind kind : {Kind::edge_edge, Kind::vertex_face}) {
       std::vector<CurvedQuery> queries;
-      for (const BodyPair& pair : pairs) {
-        if (pair.kind == kind) queries.push_back(bodies.colliders().query(pair, motions));
+      for (const Pair& pair : pairs) {
+        if (pair.kind == kind) queries.push_back(colliders.query(pair, motion));
       }
       taken_[static_cast<std::size_t>(kind)] += add(kind, queries, (options_.count + samples() - 1) / samples());
     }
@@ -82,12 +81,12 @@ class Collected {
   std::size_t samples() const { return std::clamp<std::size_t>(options_.count / kPairsPerSample, 1, kMostSamples); }
 
   /// Pairs that touch when the bodies move on freely from these states.
-  void add_touching(const SimulatedBodies& bodies, const BodyStates& states, double step, const sim::VectorX& x) {
+  void add_touching(const Colliders& colliders, const BodyStates& states, double step, const sim::VectorX& x) {
     for (int doublings = 0; doublings <= kMostDoublings; ++doublings) {
       BodyStates end = states;
-      if (!move_freely(bodies.system(), std::ldexp(step, doublings), end)) return;
-      const BodyMotions motions{&states, &end, &x, &x};
-      if (add_those_that_touch(bodies, motions)) return;
+      if (!move_freely(colliders.bodies(), std::ldexp(step, doublings), end)) return;
+      const SceneMotion motion{&x, &x, &states, &end};
+      if (add_those_that_touch(colliders, motion)) return;
     }
   }
 
@@ -100,10 +99,10 @@ class Collected {
   }
 
  private:
-  bool add_those_that_touch(const SimulatedBodies& bodies, const BodyMotions& motions) {
+  bool add_those_that_touch(const Colliders& colliders, const SceneMotion& motion) {
     std::array<std::vector<CurvedQuery>, 2> touching;
-    for (const BodyPair& pair : bodies.colliders().candidates(motions, options_.separation)) {
-      const CurvedQuery query = bodies.colliders().query(pair, motions);
+    for (const Pair& pair : colliders.body_candidates(motion, options_.separation)) {
+      const CurvedQuery query = colliders.query(pair, motion);
       if (solve(query, {.separation = Separation{options_.separation}, .wanted = Wanted::contact}).contact)
         touching[static_cast<std::size_t>(pair.kind)].push_back(query);
     }
@@ -137,7 +136,7 @@ std::vector<QuerySet> body_pair_sets(std::string_view scene, const BodyPairOptio
   const auto number = std::find(kBodyScenes.begin(), kBodyScenes.end(), scene) - kBodyScenes.begin();
   const BodyPlan& plan = kPlans.at(static_cast<std::size_t>(number));
   sim::Simulation simulation(sim::make_shipped_scene(scene, plan.size), {});
-  const SimulatedBodies& bodies = *simulation.bodies();
+  const sim::SimulatedBodies& bodies = *simulation.bodies();
   const sim::VectorX none;  // the scene has no particles
   Collected pairs(scene, options);
   for (std::size_t i = 0; i < plan.before; ++i) {
@@ -151,8 +150,8 @@ std::vector<QuerySet> body_pair_sets(std::string_view scene, const BodyPairOptio
     }
     const BodyStates start = bodies.state().bodies;
     simulation.step();
-    pairs.add_taken(bodies, {&start, &bodies.state().bodies, &none, &none});
-    pairs.add_touching(bodies, start, simulation.scene().settings.time_step, none);
+    pairs.add_taken(simulation.colliders(), {&none, &none, &start, &bodies.state().bodies});
+    pairs.add_touching(simulation.colliders(), start, simulation.scene().settings.time_step, none);
   }
   return pairs.take();
 }

@@ -72,10 +72,6 @@ Counts count(const RunPlan& plan, const ScenePulse& pulse) {
   sim::Simulation simulation(std::move(scene), {});
   Counts counts{};
   counts.edges = simulation.colliders().edges().size();
-  if (simulation.bodies() != nullptr) {
-    for (const sim::ElementSet& surface : simulation.bodies()->colliders().surfaces())
-      counts.edges += surface.edges.size();
-  }
   for (std::uint64_t i = 0; i < plan.steps; ++i) {
     pulse(static_cast<double>(i) / static_cast<double>(plan.steps));
     for (const auto& record : simulation.step()) {

@@ -78,7 +78,7 @@ bool BodyResponse::Attempt::begin() {
 void BodyResponse::Attempt::find_contacts() {
   const PhaseClock clock(result_.times.response);
   const double h = step_->h, thickness = r_->thickness_;
-  const auto pairs = r_->colliders_->candidates(motions(), thickness);
+  const auto pairs = r_->colliders_->body_candidates(motion(), thickness);
   double fastest = 0;
   for (std::size_t i = 0; i < bodies_; ++i) {
     const MovingBody& m = free_movers_.bodies[i];
@@ -91,25 +91,24 @@ void BodyResponse::Attempt::find_contacts() {
   using ContactKey = std::array<long long, 8>;
   std::set<ContactKey> known;
   const auto rounded = [](double x, double unit) { return std::llround(std::clamp(x / unit, -1e15, 1e15)); };
-  for (const BodyPair& pair : pairs) {
-    const auto near = closest(*r_->colliders_, pair, motions(), reach);
+  for (const Pair& pair : pairs) {
+    const auto near = closest(*r_->colliders_, pair, motion(), reach);
     if (!near) continue;
     const double along = near->normal.dot(free_movers_.approach(*near));
     if (!(near->gap + h * std::min(along, 0.0) < thickness)) continue;
-    const ContactKey key{static_cast<long long>(near->a.body),
-                         static_cast<long long>(near->b.body),
+    const ContactKey key{near->a.body,
+                         near->b.body,
                          rounded(near->point.x(), kSamePosition * thickness),
                          rounded(near->point.y(), kSamePosition * thickness),
                          rounded(near->point.z(), kSamePosition * thickness),
                          rounded(near->normal.x(), kSameNormal),
                          rounded(near->normal.y(), kSameNormal),
                          rounded(near->normal.z(), kSameNormal)};
-    const bool of_particles = near->a.body == kParticles || near->b.body == kParticles;
-    if (!of_particles && !known.insert(key).second) continue;
+    if (near->a.is_body() && near->b.is_body() && !known.insert(key).second) continue;
     SolverContact contact;
     contact.contact = *near;
     const auto old = std::lower_bound(start_->forces.begin(), start_->forces.end(), pair,
-                                      [](const ContactForce& f, const BodyPair& p) { return f.pair < p; });
+                                      [](const ContactForce& f, const Pair& p) { return f.pair < p; });
     if (old != start_->forces.end() && old->pair == pair) {
       contact.normal_impulse = std::max(0.0, h * old->force.dot(near->normal));
       contact.friction = h * old->force - h * old->force.dot(near->normal) * near->normal;
@@ -137,7 +136,7 @@ void BodyResponse::Attempt::solve(double restitution) {
   for (SolverContact& c : contacts_) {
     c.bounce.setZero();
     for (const ContactSide* side : {&c.contact.a, &c.contact.b}) {
-      if (side->count == 0) held_[side->body] = 1;
+      if (side->is_body()) held_[side->body] = 1;
     }
   }
   const SolverRule rule{r_->contact_.friction, kTolerance * r_->thickness_ / h, kSweeps};
@@ -189,7 +188,7 @@ void BodyResponse::Attempt::move() {
 /// Of the motion as it stands. Particles have answered each other before bodies push them: so those that bodies move
 /// are asked about again, and what they are pushed onto carries them.
 BodyResponse::Touches BodyResponse::Attempt::touches() {
-  Touches touches = r_->touches(motions());
+  Touches touches = r_->touches(motion());
   std::vector<char> moved(static_cast<std::size_t>(result_.x1.size()) / 3, 0);
   bool any = false;
   for (Eigen::Index i = 0; i < result_.x1.size(); ++i) {
@@ -198,8 +197,13 @@ BodyResponse::Touches BodyResponse::Attempt::touches() {
     moved[static_cast<std::size_t>(i) / 3] = 1;
   }
   if (!any) return touches;
+  std::vector<Pair> pairs = r_->colliders_->candidates(*step_->x0, result_.x1, 0);
+  std::erase_if(pairs, [&](const Pair& pair) {
+    const auto corners = r_->colliders_->corners(pair);
+    return std::none_of(corners.begin(), corners.begin() + corner_count(pair.kind), [&](Index p) { return moved[p]; });
+  });
   // The proof of bodies has no pairs of particles.
-  const Touches more = r_->touches(r_->colliders_->particle_candidates(motions(), moved), motions());
+  const Touches more = r_->touches(pairs, motion());
   count_asked(more);
   touches.found.insert(touches.found.end(), more.found.begin(), more.found.end());
   std::stable_sort(touches.found.begin(), touches.found.end(),
@@ -210,9 +214,7 @@ BodyResponse::Touches BodyResponse::Attempt::touches() {
 void BodyResponse::Attempt::count_asked(const Touches& touches) {
   BodyCounts& counts = result_.counts;
   counts.queries += touches.pairs;
-  counts.levels.filter += touches.levels.filter;
-  counts.levels.bracket += touches.levels.bracket;
-  counts.levels.exact += touches.levels.exact;
+  count(touches.levels, counts.levels);
 }
 
 /// More contacts, or more distance for those that were not enough.
@@ -227,7 +229,7 @@ void BodyResponse::Attempt::answer_touches(const Touches& touches) {
     }
     if (known) continue;
     SolverContact contact;
-    contact.contact = touching(*r_->colliders_, pair, motions(), answer);
+    contact.contact = touching(*r_->colliders_, pair, motion(), answer);
     const double along =
         contact.contact.normal.dot((movers_.bodies.empty() ? free_movers_ : movers_).approach(contact.contact));
     contact.contact.gap = std::max(0.0, -along) * answer.toi * h;
@@ -278,7 +280,7 @@ BodyResult::Outcome BodyResponse::Attempt::settle(double restitution) {
   }
   result_.left = found.found.front().first;
   const auto& [pair, answer] = found.found.front();
-  result_.point = touching(*r_->colliders_, pair, motions(), answer).point;
+  result_.point = touching(*r_->colliders_, pair, motion(), answer).point;
   return Outcome::not_resolved;
 }
 

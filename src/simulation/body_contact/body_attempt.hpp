@@ -39,12 +39,14 @@ class BodyResponse::Attempt {
   void measure_flows();
   bool is_held(const ContactSide& side) const;
   double kinetic(const BodyStates& states, const VectorX& velocity) const;
-  BodyMotions motions() const { return {&start_->bodies, &result_.end.bodies, step_->x0, &result_.x1}; }
+  SceneMotion motion() const { return {step_->x0, &result_.x1, &start_->bodies, &result_.end.bodies}; }
   void add(SolverContact contact) { contacts_.push_back(std::move(contact)); }
 
   // Bodies by their numbers, and then particles: what touches moves together.
-  Index node(const OfBody& corner) const {
-    return static_cast<Index>(corner.body == kParticles ? bodies_ + corner.number : corner.body);
+  Index particle_node(Index particle) const { return static_cast<Index>(bodies_ + particle); }
+  Index node(Index vertex) const {
+    const Index group = r_->colliders_->group_of(vertex);
+    return group == kParticles ? particle_node(vertex) : group - 1;
   }
   std::size_t nodes() const { return bodies_ + static_cast<std::size_t>(step_->x1.size()) / 3; }
   Eigen::Index at(Index node) const { return 3 * static_cast<Eigen::Index>(node - bodies_); }  // of a particle's node

@@ -49,8 +49,8 @@ void BodyResponse::Attempt::restore_angular_momentum() {
       any = true;
     };
     for (const ContactSide* side : {&c.contact.a, &c.contact.b}) {
-      if (side->count == 0) join(side->body);
-      for (std::size_t i = 0; i < side->count; ++i) join(node({kParticles, side->particles[i]}));
+      if (side->is_body()) join(side->body);
+      for (std::size_t i = 0; i < side->count; ++i) join(particle_node(side->particles[i]));
     }
   }
   for (const auto& [a, b] : merged_) {
@@ -127,7 +127,7 @@ double BodyResponse::Attempt::kinetic(const BodyStates& states, const VectorX& v
 }
 
 bool BodyResponse::Attempt::is_held(const ContactSide& side) const {
-  if (side.count == 0) return node_is_held(side.body);
+  if (side.is_body()) return node_is_held(side.body);
   for (std::size_t i = 0; i < side.count; ++i) {
     if (r_->inverse_mass_.segment<3>(3 * static_cast<Eigen::Index>(side.particles[i])).maxCoeff() > 0) return false;
   }
@@ -189,7 +189,7 @@ void BodyResponse::Attempt::measure_flows() {
     flows.impacts += impulse.dot(normal) * normal.dot(mean);
     // What is driven gives what the contact takes from it, or gains.
     const auto drive = [&](const ContactSide& side, const Vector3& on_it) {
-      if (side.count == 0) {
+      if (side.is_body()) {
         if (node_is_held(side.body)) flows.driven -= on_it.dot(movers_.velocity(side));
         return;
       }

@@ -13,7 +13,7 @@ namespace touchstone::sim {
 
 /// The contact forces of the substep before, from which the solver starts. N
 struct ContactForce {
-  BodyPair pair;
+  Pair pair;
   Vector3 force = Vector3::Zero();
 
   bool operator==(const ContactForce&) const = default;
@@ -25,12 +25,6 @@ struct BodiesState {
   std::vector<ContactForce> forces;
 
   bool operator==(const BodiesState&) const = default;
-};
-
-/// Pairs that keep a distance, and do not only not touch.
-struct SeparationCounts {
-  std::uint64_t pairs = 0;
-  double least = 0, largest = 0;  ///< of these distances, m; 0 without any
 };
 
 struct BodyCounts {
@@ -71,7 +65,7 @@ struct BodyResult {
   BodiesState end;
   VectorX x1;                       ///< of particles, at the end
   VectorX velocity_change;          ///< of particles, m/s
-  std::optional<BodyPair> left;     ///< when not resolved
+  std::optional<Pair> left;         ///< when not resolved
   Vector3 point = Vector3::Zero();  ///< where it touches, m
   bool strains_gain = false;  ///< pushes store more in springs, cables and cloth than bodies lose: see SimulatedBodies
   BodyCounts counts;
@@ -82,33 +76,33 @@ struct BodyResult {
 
 class BodyResponse {
  public:
-  BodyResponse(const BodyColliders& colliders, const System& system, const Settings& settings,
+  BodyResponse(const Colliders& colliders, const System& system, const Settings& settings,
                const linear::Cancellation& cancel = linear::Cancellation::never());
 
   BodyResult step(const BodiesState& start, BodyStep step) const;
 
   /// The pairs that touch in a motion, each with its answer, and how many were asked.
   struct Touches {
-    std::vector<std::pair<BodyPair, Answer>> found;
+    std::vector<std::pair<Pair, Answer>> found;
     std::uint64_t pairs = 0;
     LevelCounts levels;
     SeparationCounts separations;
   };
   /// Pairs that touch, or come within their separation, in a motion; the earliest first.
-  Touches touches(const BodyMotions& motions) const { return touches(colliders_->candidates(motions, 0), motions); }
+  Touches touches(const SceneMotion& motion) const { return touches(colliders_->body_candidates(motion, 0), motion); }
 
   double thickness() const noexcept { return thickness_; }
 
  private:
   class Attempt;
-  Touches touches(const std::vector<BodyPair>& pairs, const BodyMotions& motions) const;
+  Touches touches(const std::vector<Pair>& pairs, const SceneMotion& motion) const;
 
-  const BodyColliders* colliders_;
+  const Colliders* colliders_;
   ContactSettings contact_;
   double time_step_;
   double thickness_;
   VectorX inverse_mass_, force_;  // of each coordinate of a particle; N: gravity and its own
-  const linear::Cancellation* cancel_;
+  mutable PairSolver solver_;     // its memory
 };
 
 }  // namespace touchstone::sim

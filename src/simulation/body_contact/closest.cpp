@@ -20,21 +20,17 @@ constexpr double kLean = 0.1;
 
 constexpr double kParallel = 1e-7;  // the sine of an angle below which a cross product is no normal
 
-struct Weights {
-  std::array<double, 3> a{}, b{};
-};
-
-ContactSide side_of(const std::array<OfBody, 4>& corners, std::size_t first, std::size_t count,
+ContactSide side_of(const Colliders& colliders, const Index* corners, std::size_t count,
                     const std::array<double, 3>& weights, const BodyStates& states, const Vector3& point) {
   ContactSide side;
-  side.body = corners[first].body;
-  if (side.body != kParticles) {
+  if (const Index group = colliders.group_of(*corners); group != kParticles) {
+    side.body = group - 1;
     side.arm = point - states[side.body].pose.p;
     return side;
   }
   side.count = count;
   for (std::size_t i = 0; i < count; ++i) {
-    side.particles[i] = corners[first + i].number;
+    side.particles[i] = corners[i];
     side.weights[i] = weights[i];
   }
   return side;
@@ -50,90 +46,64 @@ bool leans(const Vector3& from, const Vector3& to, const Vector3& along, const V
 /// Whether the faces at an edge, or the edges at its end that is closest, are nearer to the other element.
 class Neighbourhood {
  public:
-  Neighbourhood(const BodyColliders& colliders, Index body, const BodyMotions& motions)
-      : colliders_(&colliders), surface_(&colliders.surface(body)), body_(body), motions_(&motions) {}
+  Neighbourhood(const Colliders& colliders, const SceneMotion& motion) : colliders_(&colliders), motion_(&motion) {}
 
   bool edge_leans(Index edge, const Vector3& point, const Vector3& towards) const {
-    const Edge& ends = surface_->edges[edge];
+    const Edge& ends = colliders_->edges()[edge];
     const Vector3 along = at(ends[1]) - at(ends[0]);
-    for (const Index corner : surface_->opposite[edge]) {
-      if (corner != ElementSet::kNoCorner && leans(point, at(corner), along, towards)) return true;
+    for (const Index corner : colliders_->opposite(edge)) {
+      if (corner != Colliders::kNoCorner && leans(point, at(corner), along, towards)) return true;
     }
     return false;
   }
   bool vertex_leans(Index vertex, const Vector3& towards) const {
-    const auto& others = surface_->around[vertex];
+    const auto& others = colliders_->around(vertex);
     return std::any_of(others.begin(), others.end(),
                        [&](Index other) { return leans(at(vertex), at(other), Vector3::Zero(), towards); });
   }
-  Index edge_number(Index a, Index b) const {
-    const Edge edge{std::min(a, b), std::max(a, b)};
-    const auto found = std::lower_bound(surface_->edges.begin(), surface_->edges.end(), edge);
-    return static_cast<Index>(found - surface_->edges.begin());
-  }
-  bool bare(Index edge) const { return surface_->bare[edge] != 0; }
 
  private:
-  Vector3 at(Index vertex) const { return colliders_->at({body_, vertex}, *motions_->start, *motions_->x0); }
+  Vector3 at(Index vertex) const { return colliders_->at(vertex, *motion_->x0, *motion_->start); }
 
-  const BodyColliders* colliders_;
-  const ElementSet* surface_;
-  Index body_;
-  const BodyMotions* motions_;
+  const Colliders* colliders_;
+  const SceneMotion* motion_;
 };
 
-Weights closest_weights(Kind kind, const Corners& x) {
-  switch (kind) {
-    case Kind::edge_edge: {
-      const auto [s, t] = closest_on_segments(x[0], x[1], x[2], x[3]);
-      return {{1 - s, s, 0}, {1 - t, t, 0}};
-    }
-    case Kind::vertex_face: return {{1, 0, 0}, closest_on_triangle(x[0], x[1], x[2], x[3])};
-    case Kind::point_edge: {
-      const Vector3 along = x[2] - x[1];
-      const double t = std::clamp(along.dot(x[0] - x[1]) / along.squaredNorm(), 0.0, 1.0);
-      return {{1, 0, 0}, {1 - t, t, 0}};
-    }
-    case Kind::point_point: break;
-  }
-  return {{1, 0, 0}, {1, 0, 0}};
-}
-
-bool neighbours_are_nearer(const BodyColliders& colliders, const BodyPair& pair, const std::array<OfBody, 4>& corners,
-                           const BodyMotions& motions, const Weights& weights, const BodyContact& contact) {
-  const Neighbourhood at_a(colliders, pair.a.body, motions), at_b(colliders, pair.b.body, motions);
+bool neighbours_are_nearer(const Colliders& colliders, const Pair& pair, const std::array<Index, 4>& corners,
+                           const SceneMotion& motion, const Weights& weights, const BodyContact& contact) {
+  const Neighbourhood near(colliders, motion);
   const Vector3 point_a = contact.point + contact.gap * contact.normal;
   const auto end_of = [](const std::array<double, 3>& w) { return w[0] == 0 ? 1 : w[1] == 0 ? 0 : -1; };
   if (pair.kind == Kind::edge_edge) {
     const int end_a = end_of(weights.a), end_b = end_of(weights.b);
     // An end of an edge and a mesh are a vertex and a face of it.
-    if (end_a >= 0 && !at_b.bare(pair.b.number)) return true;
-    if (end_b >= 0 && !at_a.bare(pair.a.number)) return true;
-    if (end_a >= 0 ? at_a.vertex_leans(corners[static_cast<std::size_t>(end_a)].number, -contact.normal)
-                   : at_a.edge_leans(pair.a.number, point_a, -contact.normal)) {
+    if (end_a >= 0 && !colliders.is_bare(pair.j)) return true;
+    if (end_b >= 0 && !colliders.is_bare(pair.i)) return true;
+    if (end_a >= 0 ? near.vertex_leans(corners[static_cast<std::size_t>(end_a)], -contact.normal)
+                   : near.edge_leans(pair.i, point_a, -contact.normal)) {
       return true;
     }
-    return end_b >= 0 ? at_b.vertex_leans(corners[2 + static_cast<std::size_t>(end_b)].number, contact.normal)
-                      : at_b.edge_leans(pair.b.number, contact.point, contact.normal);
+    return end_b >= 0 ? near.vertex_leans(corners[2 + static_cast<std::size_t>(end_b)], contact.normal)
+                      : near.edge_leans(pair.j, contact.point, contact.normal);
   }
   if (pair.kind == Kind::point_edge) {
     const int end_b = end_of(weights.b);
-    return end_b >= 0 && at_b.vertex_leans(corners[1 + static_cast<std::size_t>(end_b)].number, contact.normal);
+    return end_b >= 0 && near.vertex_leans(corners[1 + static_cast<std::size_t>(end_b)], contact.normal);
   }
   const auto zeros = std::count(weights.b.begin(), weights.b.end(), 0.0);
   if (zeros == 0) return false;
   for (std::size_t k = 0; k < 3; ++k) {
-    if (zeros == 2 && weights.b[k] != 0) return at_b.vertex_leans(corners[1 + k].number, contact.normal);
+    if (zeros == 2 && weights.b[k] != 0) return near.vertex_leans(corners[1 + k], contact.normal);
     if (zeros == 1 && weights.b[k] == 0) {
-      const Index edge = at_b.edge_number(corners[1 + (k + 1) % 3].number, corners[1 + (k + 2) % 3].number);
-      return at_b.edge_leans(edge, contact.point, contact.normal);
+      const Index edge = colliders.edge_between(corners[1 + (k + 1) % 3], corners[1 + (k + 2) % 3]);
+      return near.edge_leans(edge, contact.point, contact.normal);
     }
   }
   return false;
 }
 
-BodyContact contact_at(const BodyPair& pair, const std::array<OfBody, 4>& corners, const Corners& x,
-                       const Weights& weights, const BodyStates& states) {
+BodyContact contact_at(const Colliders& colliders, const Pair& pair, const std::array<Index, 4>& corners,
+                       const Corners& x, const Weights& weights, const BodyStates& states) {
   BodyContact contact;
   contact.pair = pair;
   const std::size_t count = corner_count(pair.kind), of_first = geometry::corners_of_first(pair.kind);
@@ -141,9 +111,10 @@ BodyContact contact_at(const BodyPair& pair, const std::array<OfBody, 4>& corner
   for (std::size_t c = 0; c < count; ++c)
     (c < of_first ? a : b) += (c < of_first ? weights.a[c] : weights.b[c - of_first]) * x[c];
   // Both impulses act at one point, or friction would turn the pair by the gap between.
-  const Vector3 at = pair.a.body == kParticles ? a : pair.b.body == kParticles ? b : Vector3(0.5 * (a + b));
-  contact.a = side_of(corners, 0, of_first, weights.a, states, at);
-  contact.b = side_of(corners, of_first, count - of_first, weights.b, states, at);
+  const auto of_particles = [&](std::size_t c) { return colliders.group_of(corners[c]) == kParticles; };
+  const Vector3 at = of_particles(0) ? a : of_particles(of_first) ? b : Vector3(0.5 * (a + b));
+  contact.a = side_of(colliders, corners.data(), of_first, weights.a, states, at);
+  contact.b = side_of(colliders, corners.data() + of_first, count - of_first, weights.b, states, at);
   contact.point = b;
   contact.normal = a - b;
   contact.gap = contact.normal.norm();
@@ -152,41 +123,40 @@ BodyContact contact_at(const BodyPair& pair, const std::array<OfBody, 4>& corner
 
 }  // namespace
 
-std::optional<BodyContact> closest(const BodyColliders& colliders, const BodyPair& pair, const BodyMotions& motions,
+std::optional<BodyContact> closest(const Colliders& colliders, const Pair& pair, const SceneMotion& motion,
                                    double reach) {
   const auto corners = colliders.corners(pair);
   Corners x{};
-  for (std::size_t c = 0; c < corner_count(pair.kind); ++c)
-    x[c] = colliders.at(corners[c], *motions.start, *motions.x0);
+  for (std::size_t c = 0; c < corner_count(pair.kind); ++c) x[c] = colliders.at(corners[c], *motion.x0, *motion.start);
   const Weights weights = closest_weights(pair.kind, x);
-  BodyContact contact = contact_at(pair, corners, x, weights, *motions.start);
+  BodyContact contact = contact_at(colliders, pair, corners, x, weights, *motion.start);
   const double separation = colliders.separation(pair);
   if (!(contact.gap < reach + separation) || !(contact.gap > 0)) return std::nullopt;
   contact.normal /= contact.gap;
-  if (neighbours_are_nearer(colliders, pair, corners, motions, weights, contact)) return std::nullopt;
+  if (neighbours_are_nearer(colliders, pair, corners, motion, weights, contact)) return std::nullopt;
   // Rounding may make a gap negative that is not.
   if (separation > 0) contact.gap = std::max(0.0, contact.gap - separation);
   return contact;
 }
 
-BodyContact touching(const BodyColliders& colliders, const BodyPair& pair, const BodyMotions& motions,
-                     const Answer& answer) {
+BodyContact touching(const Colliders& colliders, const Pair& pair, const SceneMotion& motion, const Answer& answer) {
   const auto corners = colliders.corners(pair);
   const double t = answer.toi;
-  BodyStates states(*motions.start);
+  BodyStates states(*motion.start);
   for (std::size_t i = 0; i < states.size(); ++i)
-    states[i].pose = between((*motions.start)[i].pose, (*motions.end)[i].pose, t);
-  const VectorX q = *motions.x0 + t * (*motions.x1 - *motions.x0);
+    states[i].pose = between((*motion.start)[i].pose, (*motion.end)[i].pose, t);
+  const VectorX q = *motion.x0 + t * (*motion.x1 - *motion.x0);
   Corners x{}, before{};
   const std::size_t count = corner_count(pair.kind);
   for (std::size_t c = 0; c < count; ++c) {
-    x[c] = colliders.at(corners[c], states, q);
-    before[c] = colliders.at(corners[c], *motions.start, *motions.x0);
+    x[c] = colliders.at(corners[c], q, states);
+    before[c] = colliders.at(corners[c], *motion.x0, *motion.start);
   }
   const Weights weights{answer.weights_a, answer.weights_b};
-  BodyContact contact = contact_at(pair, corners, x, weights, states);
+  BodyContact contact = contact_at(colliders, pair, corners, x, weights, states);
   contact.at_touch = true;
-  const BodyContact start = contact_at(pair, corners, before, closest_weights(pair.kind, before), *motions.start);
+  const BodyContact start =
+      contact_at(colliders, pair, corners, before, closest_weights(pair.kind, before), *motion.start);
   Vector3 normal = Vector3::Zero();
   // At a distance, the closest points say it.
   if (colliders.separation(pair) > 0 && contact.gap > 0) {

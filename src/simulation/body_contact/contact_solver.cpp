@@ -48,7 +48,7 @@ void MovingBody::apply(const Vector3& impulse, const Vector3& arm) noexcept {
 }
 
 Vector3 Movers::velocity(const ContactSide& side) const noexcept {
-  if (side.count == 0) {
+  if (side.is_body()) {
     const MovingBody& body = bodies[side.body];
     return body.velocity + body.spin.cross(side.arm);
   }
@@ -58,7 +58,7 @@ Vector3 Movers::velocity(const ContactSide& side) const noexcept {
 }
 
 void Movers::apply(const ContactSide& side, const Vector3& impulse) noexcept {
-  if (side.count == 0) {
+  if (side.is_body()) {
     bodies[side.body].apply(impulse, side.arm);
     return;
   }
@@ -69,7 +69,7 @@ void Movers::apply(const ContactSide& side, const Vector3& impulse) noexcept {
 }
 
 Matrix3 Movers::response(const ContactSide& side) const noexcept {
-  if (side.count == 0) {
+  if (side.is_body()) {
     const MovingBody& body = bodies[side.body];
     const Matrix3 arm = cross_matrix(side.arm);
     return body.inverse_mass * Matrix3::Identity() - arm * body.inverse_inertia * arm;

@@ -47,4 +47,21 @@ std::array<double, 3> closest_on_triangle(const Vector3& p, const Vector3& a, co
   return {va / sum, vb / sum, vc / sum};
 }
 
+Weights closest_weights(Kind kind, const std::array<Vector3, 4>& x) {
+  switch (kind) {
+    case Kind::edge_edge: {
+      const auto [s, t] = closest_on_segments(x[0], x[1], x[2], x[3]);
+      return {{1 - s, s, 0}, {1 - t, t, 0}};
+    }
+    case Kind::vertex_face: return {{1, 0, 0}, closest_on_triangle(x[0], x[1], x[2], x[3])};
+    case Kind::point_edge: {
+      const Vector3 along = x[2] - x[1];
+      const double t = clamped(along.dot(x[0] - x[1]) / along.squaredNorm());
+      return {{1, 0, 0}, {1 - t, t, 0}};
+    }
+    case Kind::point_point: break;
+  }
+  return {{1, 0, 0}, {1, 0, 0}};
+}
+
 }  // namespace touchstone::sim

@@ -11,74 +11,16 @@
 
 #include <touchstone/distance.hpp>
 
-#include "broad_phase/box_tree.hpp"
 #include "geometry/kind_traits.hpp"
 #include "numbers/doubles/rounded_sum.hpp"
-#include "scene/features.hpp"
 
 namespace touchstone::sim {
 namespace {
 
-/// The box around the particles at x, wider by at least `margin` in exact arithmetic. A rounded sum y is off by less
-/// than the distance to the next double, which is at most 2^-52 |y|; where that underflows, the sum is exact.
-template <std::size_t N>
-broad_phase::Box box_around(const std::array<Index, N>& particles, const VectorX& x, double margin) {
-  constexpr double kToNext = 0x1p-52;
-  broad_phase::Box box;
-  for (std::size_t k = 0; k < 3; ++k) {
-    const auto coordinate = [&](Index p) { return x[3 * static_cast<Eigen::Index>(p) + static_cast<Eigen::Index>(k)]; };
-    double low = coordinate(particles[0]), high = low;
-    for (std::size_t c = 1; c < N; ++c) {
-      low = std::min(low, coordinate(particles[c]));
-      high = std::max(high, coordinate(particles[c]));
-    }
-    low -= margin;
-    high += margin;
-    const double outward = margin > 0 ? kToNext : 0;
-    box.low[k] = low - outward * std::fabs(low);
-    box.high[k] = high + outward * std::fabs(high);
-  }
-  return box;
-}
-
-/// The margin of a box around an element with this radius. A separation exceeds the sum of two radii by the rounding of
-/// that sum, less than two units in the last place of the larger one: 2^-51 of it is as much.
-double with_radius_added(double margin, double radius) {
-  constexpr double kRoundedSum = 0x1p-51;
-  return radius > 0 ? numbers::sum_rounded_up(margin, radius + kRoundedSum * radius) : margin;
-}
-
-/// The motion of particles in a substep, give or take a margin along each axis.
-struct Sweep {
-  const VectorX& x0;
-  const VectorX& x1;
-  double margin;
-
-  template <std::size_t N>
-  broad_phase::MovingBox box(const std::array<Index, N>& particles, double radius) const {
-    const double wider = with_radius_added(margin, radius);
-    return {box_around(particles, x0, wider), box_around(particles, x1, wider)};
-  }
-  broad_phase::MovingBox box(Index particle, double radius) const { return box(std::array{particle}, radius); }
-
-  /// @param radius_of  the radius of elements[i], by i
-  template <class Element, class RadiusOf>
-  std::vector<broad_phase::MovingBox> boxes(const std::vector<Element>& elements, RadiusOf radius_of) const {
-    std::vector<broad_phase::MovingBox> boxes;
-    boxes.reserve(elements.size());
-    for (std::size_t i = 0; i < elements.size(); ++i) boxes.push_back(box(elements[i], radius_of(i)));
-    return boxes;
-  }
-};
-
-template <std::size_t N>
-bool contains(const std::array<Index, N>& element, Index particle) {
-  return std::find(element.begin(), element.end(), particle) != element.end();
-}
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// Of the edges that can move, as a large floor is no measure of the elements that lie on it; of all when none can.
-double shortest_of(const std::vector<Edge>& edges, const std::vector<char>& moves, const VectorX& q) {
-  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+double shortest_of(std::span<const Edge> edges, const std::vector<char>& moves, const VectorX& q) {
   double moving = kInfinity, all = kInfinity;
   for (const Edge& edge : edges) {
     const double length = (position(q, edge[0]) - position(q, edge[1])).norm();
@@ -89,41 +31,25 @@ double shortest_of(const std::vector<Edge>& edges, const std::vector<char>& move
   return all < kInfinity ? all : 1;
 }
 
+Edge sorted(Index a, Index b) { return {std::min(a, b), std::max(a, b)}; }
+
 }  // namespace
 
-Colliders::Colliders(const Scene& scene, const System& system, Keep keep) {
-  faces_.reserve(scene.faces.size());
-  for (const Facet& face : scene.faces) faces_.push_back(face.particles);
-  for (const Surface& surface : scene.surfaces) faces_.insert(faces_.end(), surface.faces.begin(), surface.faces.end());
-  for (const Spring& spring : scene.springs) {
-    if (spring.collides) edges_.push_back({spring.a, spring.b});
-  }
-  for (const Cable& cable : scene.cables) {
-    for (std::size_t j = 0; j < cable.edge_count(); ++j) {
-      edges_.push_back({cable.particles[j], cable.particles[(j + 1) % cable.particles.size()]});
-    }
-  }
-  for (const Wire& wire : scene.wires) edges_.push_back(wire.particles);
-  for (const Face& face : faces_) {
-    for (std::size_t k = 0; k < 3; ++k) edges_.push_back({face[k], face[(k + 1) % 3]});
-  }
-  for (Edge& edge : edges_) std::sort(edge.begin(), edge.end());
-  std::sort(edges_.begin(), edges_.end());
-  edges_.erase(std::unique(edges_.begin(), edges_.end()), edges_.end());
-
+Colliders::Colliders(const Scene& scene, const System& system, Keep keep) : bodies_(scene) {
+  add_elements(scene);
   const std::size_t count = scene.particles.size();
-  moves_.assign(system.particle_count(), 0);
-  for (std::size_t p = 0; p < count; ++p) moves_[p] = !scene.particles[p].path.empty() || !scene.particles[p].pinned();
+  for (const Particle& particle : scene.particles) moves_.push_back(!particle.path.empty() || !particle.pinned());
+  for (const Index group : group_of_) moves_.push_back(scene.bodies[group - 1].motion != BodyMotion::fixed);
 
   in_edge_.assign(count, 0);
   std::vector<std::vector<Index>> edges_at(count);
-  for (Index e = 0; e < edges_.size(); ++e) {
+  for (Index e = 0; e < before_[1].edges; ++e) {
     for (const Index p : edges_[e]) {
       in_edge_[p] = 1;
       edges_at[p].push_back(e);
     }
   }
-  shortest_ = shortest_of(edges_, moves_, system.initial_position);
+  shortest_ = shortest_of(edges_of(kParticles), moves_, system.initial_position);
   std::set<std::pair<Index, Index>> folding;  // in a triangle either end of an edge leads to the third corner
   for (Index p = 0; p < count; ++p) {
     if (!scene.particles[p].collides) continue;  // check_scene: then nothing that could be hit has it as a corner
@@ -138,21 +64,118 @@ Colliders::Colliders(const Scene& scene, const System& system, Keep keep) {
     }
   }
   const bool anything_moves = std::any_of(vertices_.begin(), vertices_.end(), [&](Index p) { return moves_[p] != 0; });
-  passes_.edge_edge = anything_moves && edges_.size() > 1;
-  passes_.vertex_face = anything_moves && !faces_.empty() && vertices_.size() > 3;
+  const Counts& particles = before_[1];
+  passes_.edge_edge = anything_moves && particles.edges > 1;
+  passes_.vertex_face = anything_moves && particles.faces > 0 && vertices_.size() > 3;
   passes_.joints = !folds_.empty();
-  passes_.points = anything_moves && !points_.empty() && points_.size() + edges_.size() > 1;
+  passes_.points = anything_moves && !points_.empty() && points_.size() + particles.edges > 1;
   passes_.anything_moves = anything_moves;
   passes_.free_points = points_.size();
   passes_.not_colliding = count - vertices_.size();
+  if (!scene.bodies.empty()) add_neighbourhoods();
   if (!kSeparations || keep == Keep::contact) return;
   radii_ = Radii(scene, edges_);
-  if (!radii_.any()) return;
-  neighbours_ = Neighbours(scene, edges_, radii_.particle, system.initial_position);
+  has_separations_ =
+      radii_.any() || std::any_of(body_radii_.begin(), body_radii_.end(), [](double r) { return r > 0; });
+  if (radii_.any()) neighbours_ = Neighbours(scene, edges_of(kParticles), radii_.particle, system.initial_position);
+}
+
+void Colliders::add_elements(const Scene& scene) {
+  const auto add_edge = [&](Index a, Index b) { edges_.push_back(sorted(a, b)); };
+  const auto add_face = [&](const Face& face) {
+    faces_.push_back(face);
+    for (std::size_t k = 0; k < 3; ++k) add_edge(face[k], face[(k + 1) % 3]);
+  };
+  for (const Facet& face : scene.faces) add_face(face.particles);
+  for (const Surface& surface : scene.surfaces) {
+    for (const Face& face : surface.faces) add_face(face);
+  }
+  for (const Spring& spring : scene.springs) {
+    if (spring.collides) add_edge(spring.a, spring.b);
+  }
+  for (const Cable& cable : scene.cables) {
+    for (std::size_t j = 0; j < cable.edge_count(); ++j) {
+      add_edge(cable.particles[j], cable.particles[(j + 1) % cable.particles.size()]);
+    }
+  }
+  for (const Wire& wire : scene.wires) add_edge(wire.particles[0], wire.particles[1]);
+  auto vertices = static_cast<Index>(scene.particles.size());
+  const auto end_group = [&] { before_.push_back({vertices, 0, static_cast<Index>(faces_.size())}); };
+  end_group();
+  shortest_of_bodies_ = kInfinity;
+  for (const Body& body : scene.bodies) {
+    const Index first = vertices;
+    const std::size_t edges = edges_.size();
+    for (const auto& [a, b] : body.edges) add_edge(first + a, first + b);
+    for (const auto& [a, b, c] : body.faces) add_face({first + a, first + b, first + c});
+    vertices += static_cast<Index>(body.vertices.size());
+    group_of_.resize(group_of_.size() + body.vertices.size(), static_cast<Index>(before_.size()));
+    end_group();
+    body_radii_.push_back(body.radius);
+    if (body.motion == BodyMotion::fixed) continue;
+    for (std::size_t e = edges; e < edges_.size(); ++e) {
+      const auto [a, b] = edges_[e];
+      shortest_of_bodies_ = std::min(shortest_of_bodies_, (body.vertices[a - first] - body.vertices[b - first]).norm());
+    }
+  }
+  std::sort(edges_.begin(), edges_.end());
+  edges_.erase(std::unique(edges_.begin(), edges_.end()), edges_.end());
+  for (Counts& before : before_) {
+    const auto first = std::lower_bound(edges_.begin(), edges_.end(), Edge{before.vertices, 0});
+    before.edges = static_cast<Index>(first - edges_.begin());
+  }
+}
+
+void Colliders::add_neighbourhoods() {
+  opposite_.assign(edges_.size(), {kNoCorner, kNoCorner});
+  around_.resize(before_.back().vertices);
+  for (const Edge& edge : edges_) {
+    around_[edge[0]].push_back(edge[1]);
+    around_[edge[1]].push_back(edge[0]);
+  }
+  for (const Face& face : faces_) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      auto& corners = opposite_[edge_between(face[k], face[(k + 1) % 3])];
+      (corners[0] == kNoCorner ? corners[0] : corners[1]) = face[(k + 2) % 3];
+    }
+  }
+  for (Index group = 1; group < group_count(); ++group) {
+    auto& of_body = clusters_.emplace_back();
+    for (const MeshElement sort : {MeshElement::vertex, MeshElement::edge, MeshElement::face}) {
+      of_body[static_cast<std::size_t>(sort)] = clusters_of(group, sort);
+    }
+  }
+}
+
+Index Colliders::edge_between(Index a, Index b) const noexcept {
+  return static_cast<Index>(std::lower_bound(edges_.begin(), edges_.end(), sorted(a, b)) - edges_.begin());
+}
+
+const Index* Colliders::corners_of(MeshElement sort, const Index& number) const noexcept {
+  return geometry::corners_of(sort, number, edges_, faces_);
+}
+
+Index Colliders::group_of(MeshElement sort, Index number) const noexcept {
+  return number < before_[1].of(sort) ? kParticles : group_of(*corners_of(sort, number));
+}
+
+bool Colliders::is_of_particles(const Pair& pair) const noexcept {
+  const auto& [first, second] = geometry::traits_of(pair.kind);
+  return pair.i < before_[1].of(first.sort) && pair.j < before_[1].of(second.sort);
+}
+
+double Colliders::radius_of(MeshElement sort, Index number) const noexcept {
+  if (!has_separations()) return 0;
+  if (const Index group = group_of(sort, number); group != kParticles) return body_radii_[group - 1];
+  if (!radii_.any()) return 0;
+  const auto& radii = sort == MeshElement::edge   ? radii_.edge
+                      : sort == MeshElement::face ? radii_.face
+                                                  : radii_.particle;
+  return radii[number];
 }
 
 std::size_t Colliders::with_radius() const noexcept {
-  if (!has_separations()) return 0;
+  if (!radii_.any()) return 0;
   const auto counted = [](const std::vector<double>& radii) {
     return static_cast<std::size_t>(std::count_if(radii.begin(), radii.end(), [](double r) { return r > 0; }));
   };
@@ -161,14 +184,14 @@ std::size_t Colliders::with_radius() const noexcept {
 }
 
 double Colliders::largest_radius() const noexcept {
-  return has_separations() ? *std::max_element(radii_.particle.begin(), radii_.particle.end()) : 0;
+  return radii_.any() ? *std::max_element(radii_.particle.begin(), radii_.particle.end()) : 0;
 }
 
 double Colliders::separation_of(const Pair& pair) const noexcept {
   if (pair.kind == Kind::point_edge && in_edge_[pair.i]) return 0;  // a fold
   const auto& [first, second] = geometry::traits_of(pair.kind);
   const double d = numbers::sum_rounded_up(radius_of(first.sort, pair.i), radius_of(second.sort, pair.j));
-  if (d == 0 || neighbours_.count() == 0) return d;
+  if (d == 0 || neighbours_.count() == 0 || !is_of_particles(pair)) return d;
   const auto particles = corners(pair);
   const std::size_t of_first = geometry::corners_of_first(pair.kind);
   for (std::size_t a = 0; a < of_first; ++a) {
@@ -194,57 +217,35 @@ Query Colliders::query(const Pair& pair, const VectorX& x0, const VectorX& x1) c
   return query;
 }
 
-bool Colliders::can_move(const Pair& pair) const noexcept {
-  const auto particles = corners(pair);
+CurvedQuery Colliders::query(const Pair& pair, const SceneMotion& motion) const noexcept {
+  CurvedQuery query;
+  query.kind = pair.kind;
+  const auto vec = [](const Vector3& x) { return Vec3{x.x(), x.y(), x.z()}; };
+  const auto all = corners(pair);
+  const std::size_t of_first = geometry::corners_of_first(pair.kind);
   for (std::size_t c = 0; c < corner_count(pair.kind); ++c) {
-    if (moves_[particles[c]]) return true;
+    CurvedCorner& corner = query.corners[c];
+    const Index group = group_of(all[c]);
+    if (group == kParticles) {
+      corner.control_points = 2;
+      corner.points[0] = corner_of(*motion.x0, all[c]);
+      corner.points[1] = corner_of(*motion.x1, all[c]);
+      continue;
+    }
+    // Each element has a motion of its own, unless both are of one kind.
+    corner.motion = c < of_first ? 0 : 1;
+    corner.points[0] = vec(bodies_.bodies()[group - 1].points[all[c] - before_[group].vertices]);
+    if (c != 0 && c != of_first) continue;
+    const Pose &from = (*motion.start)[group - 1].pose, &to = (*motion.end)[group - 1].pose;
+    query.motions[static_cast<std::size_t>(corner.motion)] = {from.q, to.q, vec(from.p), vec(to.p)};
   }
-  return false;
+  return query;
 }
 
-std::vector<Pair> Colliders::candidates(const VectorX& x0, const VectorX& x1, double margin) const {
-  std::vector<Pair> pairs;
-  const Sweep motion{x0, x1, margin};
-  const bool thick = has_separations();
-  const auto by_number = [thick](const std::vector<double>& radii) {
-    return [thick, &radii](std::size_t i) { return thick ? radii[i] : 0; };
-  };
-  const auto by_particle = [&](const std::vector<Index>& particles) {
-    return [&](std::size_t i) { return thick ? radii_.particle[particles[i]] : 0; };
-  };
-  const auto add = [&](const Pair& pair) {
-    if (can_move(pair)) pairs.push_back(pair);
-  };
-  std::vector<broad_phase::MovingBox> edge_boxes;
-  if (passes_.edge_edge || passes_.joints || passes_.points) edge_boxes = motion.boxes(edges_, by_number(radii_.edge));
-  if (passes_.edge_edge) {
-    broad_phase::for_each_pair(edge_boxes, [&](Index i, Index j) {
-      if (!contains(edges_[j], edges_[i][0]) && !contains(edges_[j], edges_[i][1])) add({Kind::edge_edge, i, j});
-    });
-  }
-  if (kFaces && passes_.vertex_face) {
-    const auto vertex_boxes = motion.boxes(vertices_, by_particle(vertices_));
-    const auto face_boxes = motion.boxes(faces_, by_number(radii_.face));
-    broad_phase::for_each_pair(vertex_boxes, face_boxes, [&](Index i, Index j) {
-      if (!contains(faces_[j], vertices_[i])) add({Kind::vertex_face, vertices_[i], j});
-    });
-  }
-  if (kFolds && passes_.joints) {
-    for (const Fold& fold : folds_) {
-      if (broad_phase::meet(motion.box(fold.particle, 0), edge_boxes[fold.edge]))
-        pairs.push_back({Kind::point_edge, fold.particle, fold.edge});
-    }
-  }
-  if (passes_.points) {
-    const auto point_boxes = motion.boxes(points_, by_particle(points_));
-    broad_phase::for_each_pair(point_boxes, edge_boxes, [&](Index i, Index j) {
-      add({Kind::point_edge, points_[i], j});
-    });
-    broad_phase::for_each_pair(point_boxes, [&](Index i, Index j) {
-      add({Kind::point_point, points_[i], points_[j]});
-    });
-  }
-  return pairs;
+Vector3 Colliders::at(Index vertex, const VectorX& x, const BodyStates& bodies) const noexcept {
+  const Index group = group_of(vertex);
+  if (group == kParticles) return position(x, vertex);
+  return placed(bodies[group - 1].pose, bodies_.bodies()[group - 1].points[vertex - before_[group].vertices]);
 }
 
 Vector3 Colliders::contact_point(const Pair& pair, const VectorX& x0, const VectorX& x1,
@@ -262,13 +263,18 @@ double Colliders::distance(const Pair& pair, const VectorX& x) const {
 }
 
 std::string Colliders::describe(const Pair& pair) const {
-  const auto c = corners(pair);
-  const auto named = [](const geometry::Element& element, const Index* particles) {
-    return fmt::format("{} {}", element.sort == MeshElement::vertex ? "particle" : name_of(element.sort),
-                       fmt::join(particles, particles + element.corners(), "-"));
-  };
   const auto& [first, second] = geometry::traits_of(pair.kind);
-  return named(first, c.data()) + " and " + named(second, c.data() + first.corners());
+  return describe(first.sort, corners_of(first.sort, pair.i)) + " and " +
+         describe(second.sort, corners_of(second.sort, pair.j));
+}
+
+std::string Colliders::describe(MeshElement sort, const Index* corners) const {
+  const Index group = group_of(*corners);
+  std::string text(sort == MeshElement::vertex && group == kParticles ? "particle" : name_of(sort));
+  for (std::size_t c = 0; c <= static_cast<std::size_t>(sort); ++c) {
+    text += fmt::format("{}{}", c == 0 ? ' ' : '-', corners[c] - before_[group].vertices);
+  }
+  return group == kParticles ? text : fmt::format("{} of body {}", text, group - 1);
 }
 
 }  // namespace touchstone::sim

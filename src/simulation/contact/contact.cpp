@@ -27,7 +27,8 @@ constexpr double kGrazing = 1e-9;
 // contact would never be at rest.
 constexpr double kMissing = 1e-3;
 
-std::array<double, 4> signed_weights(Kind kind, const std::array<double, 3>& a, const std::array<double, 3>& b) {
+std::array<double, 4> signed_weights(Kind kind, const Weights& weights) {
+  const auto& [a, b] = weights;
   switch (kind) {
     case Kind::edge_edge: return {-a[0], -a[1], b[0], b[1]};
     case Kind::vertex_face: return {1, -b[0], -b[1], -b[2]};
@@ -35,26 +36,6 @@ std::array<double, 4> signed_weights(Kind kind, const std::array<double, 3>& a, 
     case Kind::point_point: return {1, -1, 0, 0};
   }
   return {};
-}
-
-std::array<double, 4> closest_weights(Kind kind, const Corners& c) {
-  switch (kind) {
-    case Kind::edge_edge: {
-      const auto [s, t] = closest_on_segments(c[0], c[1], c[2], c[3]);
-      return {-(1 - s), -s, 1 - t, t};
-    }
-    case Kind::vertex_face: {
-      const auto b = closest_on_triangle(c[0], c[1], c[2], c[3]);
-      return {1, -b[0], -b[1], -b[2]};
-    }
-    case Kind::point_edge: {
-      const Vector3 along = c[2] - c[1];
-      const double t = clamped(along.dot(c[0] - c[1]) / along.squaredNorm());
-      return {1, -(1 - t), -t, 0};
-    }
-    case Kind::point_point: break;
-  }
-  return {1, -1, 0, 0};
 }
 
 /// The elements' common normal, not oriented; zero where they have none.
@@ -93,8 +74,8 @@ Contact contact_of(const Colliders& colliders, const Pair& pair, const VectorX& 
     const Vector3 start = position(x0, contact.particles[c]), end = position(x1, contact.particles[c]);
     at[c] = start + contact.time * (end - start);
   }
-  contact.omega =
-      exact_weights ? signed_weights(pair.kind, answer.weights_a, answer.weights_b) : closest_weights(pair.kind, at);
+  contact.omega = signed_weights(
+      pair.kind, exact_weights ? Weights{answer.weights_a, answer.weights_b} : closest_weights(pair.kind, at));
   const Vector3 before = weighted(contact, x0), moved = weighted(contact, x1) - before;
   if (const double separation = colliders.separation(pair); kSeparations && separation > 0) {
     // The elements are that far apart at the contact, and their closest points say where the other one is.
@@ -141,7 +122,7 @@ bool proximity(const Colliders& colliders, const Pair& pair, const VectorX& x0, 
     }
     if (low_a - high_b >= reach || low_b - high_a >= reach) return false;
   }
-  contact.omega = closest_weights(pair.kind, at);
+  contact.omega = signed_weights(pair.kind, closest_weights(pair.kind, at));
   const Vector3 between = weighted(contact, x0);
   const double distance = between.norm();
   if (!(distance < reach) || distance == 0) return false;

@@ -45,16 +45,14 @@ void ContactFinder::find(const VectorX& x1, std::vector<Contact>& found, Respons
   std::vector<Pair> open;
   std::vector<std::size_t> indices;
   const auto ask = [&] {
-    const LevelCounts levels = solver_.contacts(open, *x0_, x1, [&](std::size_t i, const Answer& answer) {
+    const LevelCounts levels = solver_.contacts(open, {x0_, &x1}, [&](std::size_t i, const Answer& answer) {
       const bool planar = open[i].kind == Kind::point_edge || open[i].kind == Kind::point_point;
       found.push_back(contact_of(*colliders_, open[i], *x0_, x1, answer, planar || solver_.exact()));
       ++counts.natures[static_cast<std::size_t>(answer.nature)];
       asked_[indices[i]] = 0;  // until it is known to be gone
     });
     counts.queries += open.size();
-    counts.levels.filter += levels.filter;
-    counts.levels.bracket += levels.bracket;
-    counts.levels.exact += levels.exact;
+    count(levels, counts.levels);
     open.clear();
     indices.clear();
   };

@@ -20,10 +20,24 @@ enum class NarrowPhase : std::uint8_t {
           ///< knows no separation
 };
 
-/// Sees a query, its separation and the answer.
+/// Adds one, or all of the others.
+void count(Level level, LevelCounts& counts) noexcept;
+void count(const LevelCounts& others, LevelCounts& counts) noexcept;
+
+/// Pairs that keep a distance, and do not only not touch.
+struct SeparationCounts {
+  std::uint64_t pairs = 0;
+  double least = 0, largest = 0;  ///< of these distances, m; 0 without any
+
+  void operator+=(const SeparationCounts& others) noexcept;
+};
+SeparationCounts separations_of(const Colliders& colliders, const std::vector<Pair>& pairs);
+
+/// Sees a query of particles, its separation and the answer.
 using QuerySink = std::function<void(const Query&, double, const Answer&)>;
 
-/// Answers to pairs[i], in order; the same for any number of threads. Elements are in contact within their separation.
+/// Answers to pairs[i], in order; pairs of particles only where the motion has no bodies, and always by the exact solver
+/// where it has; the same for any number of threads. Elements are in contact within their separation.
 class PairSolver {
  public:
   /// @param cancel  is checked before each block of pairs, and lives as long as this
@@ -32,13 +46,13 @@ class PairSolver {
 
   /// For every contact in the order of `pairs`: found(index, answer). @returns how many each level decided
   template <class Found>
-  LevelCounts contacts(const std::vector<Pair>& pairs, const VectorX& x0, const VectorX& x1, Found found) {
+  LevelCounts contacts(const std::vector<Pair>& pairs, const SceneMotion& motion, Found found) {
     LevelCounts counts;
     for (std::size_t first = 0; first < pairs.size(); first += kBlock) {
-      const std::size_t count = std::min(kBlock, pairs.size() - first);
-      ask(pairs.data() + first, count, x0, x1);
-      for (std::size_t i = 0; i < count; ++i) {
-        count_level(answers_[i].level, counts);
+      const std::size_t size = std::min(kBlock, pairs.size() - first);
+      ask(pairs.data() + first, size, motion);
+      for (std::size_t i = 0; i < size; ++i) {
+        count(answers_[i].level, counts);
         if (answers_[i].contact) found(first + i, answers_[i]);
         if (sink_) sink_(queries_[i], separation_of(i), answers_[i]);
       }
@@ -54,9 +68,8 @@ class PairSolver {
 
  private:
   static constexpr std::size_t kBlock = 1024;  // queries that stay in the cache
-  void ask(const Pair* pairs, std::size_t count, const VectorX& x0, const VectorX& x1);
+  void ask(const Pair* pairs, std::size_t count, const SceneMotion& motion);
   double separation_of(std::size_t i) const noexcept { return separations_.empty() ? 0 : separations_[i]; }
-  static void count_level(Level level, LevelCounts& counts) noexcept;
 
   const Colliders* colliders_;
   const linear::Cancellation* cancel_;

@@ -30,7 +30,7 @@ constexpr std::size_t kMostNeighbours = 256, kMostNeighboursInAll = 50'000'000;
 /// The ways that lead from each particle.
 class Graph {
  public:
-  Graph(const Scene& scene, const std::vector<Edge>& edges, const VectorX& placed)
+  Graph(const Scene& scene, std::span<const Edge> edges, const VectorX& placed)
       : from_(scene.particles.size()), length_(scene.particles.size(), kInfinity) {
     const auto add = [&](Index a, Index b) {
       const double length = (position(placed, a) - position(placed, b)).norm();
@@ -75,7 +75,7 @@ class Graph {
 
 }  // namespace
 
-Neighbours::Neighbours(const Scene& scene, const std::vector<Edge>& edges, const std::vector<double>& radius,
+Neighbours::Neighbours(const Scene& scene, std::span<const Edge> edges, const std::vector<double>& radius,
                        const VectorX& placed) {
   const double largest = *std::max_element(radius.begin(), radius.end());
   const auto reach = [](double a, double b) { return kArc * numbers::sum_rounded_up(a, b); };

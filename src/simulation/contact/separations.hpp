@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "rods/system.hpp"
@@ -20,8 +21,7 @@ class Neighbours {
   /// @param radius  of each particle: the largest of its elements, m
   /// @param placed  the initial positions
   /// @throws Error when there are too many
-  Neighbours(const Scene& scene, const std::vector<Edge>& edges, const std::vector<double>& radius,
-             const VectorX& placed);
+  Neighbours(const Scene& scene, std::span<const Edge> edges, const std::vector<double>& radius, const VectorX& placed);
 
   std::size_t count() const noexcept { return others_.size(); }
 

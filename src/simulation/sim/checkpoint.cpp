@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "sim/checkpoint.hpp"
 
+#include <algorithm>
+
 #include <touchstone/error.hpp>
 
+#include "geometry/kind_traits.hpp"
 #include "io/sealed_json.hpp"
 #include "io/times.hpp"
 #include "json/json_node.hpp"
@@ -42,7 +45,10 @@ void append_hexfloats(nlohmann::json& list, const double* values, std::size_t co
 // Of a body's state: position 3, orientation 4, velocity 3, angular momentum 3.
 constexpr std::size_t kNumbersOfBody = 13;
 
-void append_bodies(nlohmann::json& json, const BodiesState& state) {
+// In the place of a body's number, of an element of particles.
+constexpr Index kNoBody = ~Index{0};
+
+void append_bodies(nlohmann::json& json, const BodiesState& state, const Colliders& colliders) {
   append_hexfloats(json["bodies"], nullptr, 0);
   for (const BodyState& body : state.bodies) {
     append_hexfloats(json["bodies"], body.pose.p.data(), 3);
@@ -54,9 +60,14 @@ void append_bodies(nlohmann::json& json, const BodiesState& state) {
   json["contact_pairs"] = nlohmann::json::array();
   for (const ContactForce& force : state.forces) {
     append_hexfloats(json["contact_forces"], force.force.data(), 3);
-    const BodyPair& pair = force.pair;
-    json["contact_pairs"].push_back(
-        {static_cast<int>(pair.kind), pair.a.body, pair.a.number, pair.b.body, pair.b.number});
+    nlohmann::json& pair = json["contact_pairs"].emplace_back(nlohmann::json{static_cast<int>(force.pair.kind)});
+    const auto append = [&](MeshElement sort, Index number) {
+      const Index group = colliders.group_of(sort, number);
+      pair.push_back(group == kParticles ? kNoBody : group - 1);
+      pair.push_back(number - colliders.before(group).of(sort));
+    };
+    append(geometry::traits_of(force.pair.kind).first.sort, force.pair.i);
+    append(geometry::traits_of(force.pair.kind).second.sort, force.pair.j);
   }
 }
 
@@ -67,7 +78,7 @@ VectorX vector_from(const JsonNode& node) {
   return values;
 }
 
-BodiesState bodies_from(const JsonNode& root) {
+BodiesState bodies_from(const JsonNode& root, const Scene& scene) {
   BodiesState state;
   const VectorX numbers = vector_from(root.at("bodies"));
   if (static_cast<std::size_t>(numbers.size()) % kNumbersOfBody != 0) {
@@ -80,6 +91,7 @@ BodiesState bodies_from(const JsonNode& root) {
     body.velocity = numbers.segment<3>(i + 7);
     body.momentum = numbers.segment<3>(i + 10);
   }
+  const Colliders colliders(scene, System(scene));
   const auto pairs = root.at("contact_pairs").items();
   const VectorX forces = vector_from(root.at("contact_forces"));
   if (static_cast<std::size_t>(forces.size()) != 3 * pairs.size()) {
@@ -90,10 +102,21 @@ BodiesState bodies_from(const JsonNode& root) {
     if (numbers_of_pair.size() != 5) pairs[i].fail("must be five numbers: kind, body, element, body, element");
     ContactForce& force = state.forces.emplace_back();
     force.pair.kind = static_cast<Kind>(numbers_of_pair[0].whole_number(0, kKinds.size() - 1));
-    force.pair.a = {numbers_of_pair[1].index(), numbers_of_pair[2].index()};
-    force.pair.b = {numbers_of_pair[3].index(), numbers_of_pair[4].index()};
+    const auto number_of = [&](MeshElement sort, std::size_t at) {
+      const Index body = numbers_of_pair[at].index(), number = numbers_of_pair[at + 1].index();
+      const Index group = body == kNoBody ? kParticles : body + 1;
+      if (group >= colliders.group_count() ||
+          number >= colliders.before(group + 1).of(sort) - colliders.before(group).of(sort)) {
+        numbers_of_pair[at].fail("and the number after it name an element that the scene does not have");
+      }
+      return colliders.before(group).of(sort) + number;
+    };
+    force.pair.i = number_of(geometry::traits_of(force.pair.kind).first.sort, 1);
+    force.pair.j = number_of(geometry::traits_of(force.pair.kind).second.sort, 3);
     force.force = forces.segment<3>(3 * static_cast<Eigen::Index>(i));
   }
+  std::sort(state.forces.begin(), state.forces.end(),
+            [](const ContactForce& a, const ContactForce& b) { return a.pair < b.pair; });
   return state;
 }
 
@@ -111,7 +134,7 @@ std::string checkpoint_to_json(const Simulation& simulation) {
   append_hexfloats(json["directors"], nullptr, 0);
   for (const Vector3& d : state.frames.director) append_hexfloats(json["directors"], d.data(), 3);
   append_hexfloats(json["reference_twists"], state.frames.reference_twist.data(), state.frames.reference_twist.size());
-  if (simulation.bodies() != nullptr) append_bodies(json, simulation.bodies()->state());
+  if (simulation.bodies() != nullptr) append_bodies(json, simulation.bodies()->state(), simulation.colliders());
   json["scene"] = scene_to_json(simulation.scene());
   return io::sealed_json(json.dump(1) + "\n");
 }
@@ -140,7 +163,7 @@ Checkpoint checkpoint_from_json(std::string_view text) {
     checkpoint.state.frames.director.push_back(directors.segment<3>(i));
   const VectorX twists = vector_from(root.at("reference_twists"));
   checkpoint.state.frames.reference_twist.assign(twists.data(), twists.data() + twists.size());
-  if (!checkpoint.scene.bodies.empty()) checkpoint.bodies = bodies_from(root);
+  if (!checkpoint.scene.bodies.empty()) checkpoint.bodies = bodies_from(root, checkpoint.scene);
   return checkpoint;
 }
 

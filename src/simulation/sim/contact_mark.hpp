@@ -2,15 +2,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <variant>
-
-#include "body_contact/body_colliders.hpp"
 #include "contact/colliders.hpp"
 
 namespace touchstone::sim {
 
 struct ContactMark {
-  std::variant<Pair, BodyPair> pair;
+  Pair pair;
   /// True: the pair would have touched in a motion that was tried. False: it was closer than the thickness at the
   /// start.
   bool touches = false;

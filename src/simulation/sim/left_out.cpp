@@ -24,8 +24,8 @@ std::string elements_of(const Simulation& simulation) {
   const auto add = [&](std::size_t number, std::string_view one, std::string_view many) {
     if (number > 0) all.push_back(counted(number, one, many));
   };
-  add(colliders.edges().size(), "edge", "edges");
-  add(colliders.faces().size(), "face", "faces");
+  add(colliders.before(1).edges, "edge", "edges");
+  add(colliders.before(1).faces, "face", "faces");
   add(colliders.points().size(), "loose particle", "loose particles");
   add(simulation.scene().bodies.size(), "body", "bodies");
   return all.empty() ? "nothing" : fmt::format("{}", fmt::join(all, ", "));
@@ -60,7 +60,7 @@ std::string held_pairs(const Simulation& simulation) {
   };
   const auto points =
       static_cast<std::size_t>(std::count_if(colliders.points().begin(), colliders.points().end(), held));
-  const std::size_t edges = count(colliders.edges()), faces = count(colliders.faces());
+  const std::size_t edges = count(colliders.edges_of(kParticles)), faces = count(colliders.faces_of(kParticles));
   const auto& bodies = simulation.scene().bodies;
   const auto fixed = static_cast<std::size_t>(
       std::count_if(bodies.begin(), bodies.end(), [](const Body& b) { return b.motion == BodyMotion::fixed; }));
@@ -84,7 +84,7 @@ std::string nothing_asked(const Simulation& simulation) {
   const auto& bodies = simulation.scene().bodies;
   const bool body_moves =
       std::any_of(bodies.begin(), bodies.end(), [](const Body& b) { return b.motion != BodyMotion::fixed; });
-  const bool particles = !colliders.edges().empty() || !colliders.points().empty();
+  const bool particles = colliders.before(1).edges > 0 || !colliders.points().empty();
   if (passes.edge_edge || passes.vertex_face || passes.joints || passes.points) return {};
   if (bodies.empty() && !particles) return "nothing collides";
   if (!body_moves && !passes.anything_moves) return "nothing that collides can move";

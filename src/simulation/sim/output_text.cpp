@@ -28,7 +28,6 @@ void add_bodies(const SimulatedBodies& bodies, Frame& frame) {
   for (Index b = 0; b < bodies.system().bodies().size(); ++b) {
     const RigidBody& body = bodies.system().bodies()[b];
     const BodyState& state = bodies.state().bodies[b];
-    const auto first = static_cast<Index>(frame.points.size());
     const Vector3 spin =
         body.is_free() ? angular_velocity(body.inertia, state.pose.q, state.momentum) : body.angular_velocity;
     const Vector3 velocity = body.is_free() ? state.velocity : body.velocity;
@@ -37,11 +36,6 @@ void add_bodies(const SimulatedBodies& bodies, Frame& frame) {
       const Vector3 arm = turn * x;
       frame.points.push_back({state.pose.p + arm, velocity + spin.cross(arm)});
     }
-    const ElementSet& surface = bodies.colliders().surface(b);
-    for (Index e = 0; e < surface.edges.size(); ++e) {
-      if (surface.bare[e]) frame.edges.push_back({first + surface.edges[e][0], first + surface.edges[e][1]});
-    }
-    for (const Face& face : surface.faces) frame.faces.push_back({first + face[0], first + face[1], first + face[2]});
   }
 }
 
@@ -54,7 +48,9 @@ std::string vtk_frame(const Simulation& simulation) {
     frame.points.push_back({position(simulation.state().q, p), position(simulation.state().v, p)});
   }
   frame.vertices = colliders.points();
-  frame.edges = colliders.edges();
+  for (Index e = 0; e < colliders.edges().size(); ++e) {
+    if (e < colliders.before(1).edges || colliders.is_bare(e)) frame.edges.push_back(colliders.edges()[e]);
+  }
   frame.faces = colliders.faces();
   if (simulation.bodies() != nullptr) add_bodies(*simulation.bodies(), frame);
   std::string text =
@@ -108,10 +104,10 @@ std::string proof_header(const Simulation& simulation) {
 std::string proof_row(const Simulation& simulation, const SubstepRecord& r) {
   const auto& c = r.response;
   const auto entering = c.natures[static_cast<std::size_t>(Nature::entering)];
-  const std::string separations =
-      simulation.has_separations()
-          ? fmt::format("{},{},{:a},{:a},", entering, r.proof.separated, r.proof.least, r.proof.largest)
-          : "";
+  const std::string separations = simulation.has_separations()
+                                      ? fmt::format("{},{},{:a},{:a},", entering, r.proof.separations.pairs,
+                                                    r.proof.separations.least, r.proof.separations.largest)
+                                      : "";
   const BodyCounts& b = r.bodies;
   const std::string bodies = simulation.bodies() == nullptr
                                  ? ""
@@ -171,14 +167,14 @@ std::string number_of(std::size_t count, std::string_view what) {
 constexpr const char* kNothingMoves = "nothing that collides can move";
 
 std::string why_edges(const Colliders& colliders) {
-  const std::size_t edges = colliders.edges().size();
+  const std::size_t edges = colliders.before(1).edges;
   if (!colliders.passes().edge_edge && edges > 1) return kNothingMoves;
   return edges == 1 ? "1 edge" : fmt::format("{} edges", edges);
 }
 
 std::string why_faces(const Colliders& colliders) {
   const Passes& passes = colliders.passes();
-  const std::size_t faces = colliders.faces().size();
+  const std::size_t faces = colliders.before(1).faces;
   if (!passes.vertex_face && faces > 0) {
     return passes.anything_moves ? "no particle collides but the corners of one face" : kNothingMoves;
   }
@@ -200,7 +196,7 @@ std::string why_separations(const Simulation& simulation) {
     if (thick > 0)
       bodies =
           fmt::format("{} with radii of up to {} m", thick == 1 ? "1 body" : fmt::format("{} bodies", thick), most);
-    if (!colliders.has_separations()) return bodies;
+    if (colliders.with_radius() == 0) return bodies;
     if (!bodies.empty()) bodies += "; ";
   }
   return bodies + fmt::format("{} with radii of up to {} m; {} of particles are neighbours",
@@ -258,15 +254,11 @@ std::string explain(const Simulation& simulation) {
   if (const SimulatedBodies* const bodies = simulation.bodies()) {
     const auto& all = bodies->system().bodies();
     const auto free = std::count_if(all.begin(), all.end(), [](const RigidBody& body) { return body.is_free(); });
-    std::size_t vertices = 0, edges = 0, faces = 0;
-    for (const ElementSet& surface : bodies->colliders().surfaces()) {
-      vertices += surface.vertices.size();
-      edges += surface.edges.size();
-      faces += surface.faces.size();
-    }
-    text += line(true, "body pass",
-                 fmt::format("{} bodies, {} of which are free: {} vertices, {} edges and {} faces that turn",
-                             all.size(), free, vertices, edges, faces));
+    const Colliders::Counts &particles = colliders.before(1), &end = colliders.before(colliders.group_count());
+    text += line(
+        true, "body pass",
+        fmt::format("{} bodies, {} of which are free: {} vertices, {} edges and {} faces that turn", all.size(), free,
+                    end.vertices - particles.vertices, end.edges - particles.edges, end.faces - particles.faces));
   } else {
     text += line(false, "body pass", "0 bodies");
   }

@@ -105,11 +105,11 @@ std::string refusal_for_person(const Refusal& refusal, const Scene& scene, const
   switch (refusal.cause) {
     case Cause::not_converged: return not_converged(refusal, scene, system, q);
     case Cause::not_resolved:
-      if (!refusal.body_pair.empty()) {
-        return fmt::format("{} would {} at {}, and find no way apart; paths that leave them room would be right",
-                           refusal.body_pair, meeting("touch", refusal.body_separation), at(refusal.point));
-      }
       if (!refusal.pair) return "contacts are left";
+      if (!colliders.is_of_particles(*refusal.pair)) {
+        return fmt::format("{} would {} at {}, and find no way apart; paths that leave them room would be right", pair,
+                           meeting("touch", separation), at(refusal.point));
+      }
       return fmt::format("{} would {} at {}, and {}", pair, meeting("touch", separation), at(refusal.point),
                          can_give_way(*refusal.pair, system, colliders)
                              ? "have no room between what is held or driven; paths that leave them room would be right"

@@ -27,8 +27,6 @@ struct RefusedCounts {
 
 struct Refusal {
   Cause cause = Cause::not_converged;
-  std::string body_pair;            ///< not resolved, of bodies: the pair that is left
-  double body_separation = 0;       ///< m: that of this pair
   std::optional<Pair> pair;         ///< not resolved: one that is left in contact; not certified: the one that crosses
   Vector3 point = Vector3::Zero();  ///< m, where it touches
   LargestChange largest_change;     ///< not converged

@@ -40,22 +40,21 @@ bool sensible(const Vector3& x) { return x.allFinite() && x.lpNorm<Eigen::Infini
 
 SimulatedBodies::SimulatedBodies(const Scene& scene, const System& system, const Colliders& colliders,
                                  const linear::Cancellation& cancel)
-    : system_(scene),
-      colliders_(scene, system, colliders, system_),
-      response_(colliders_, system, scene.settings, cancel),
-      state_{system_.initial(), {}} {}
+    : colliders_(&colliders),
+      response_(colliders, system, scene.settings, cancel),
+      state_{colliders.bodies().initial(), {}} {}
 
 void SimulatedBodies::check_start(const BodiesState& bodies, const VectorX& q, std::string_view what) const {
-  const auto touches = response_.touches({&bodies.bodies, &bodies.bodies, &q, &q});
+  const auto touches = response_.touches({&q, &q, &bodies.bodies, &bodies.bodies});
   if (touches.found.empty()) return;
-  const BodyPair& pair = touches.found.front().first;
-  if (const double d = colliders_.separation(pair); d > 0) {
+  const Pair& pair = touches.found.front().first;
+  if (const double d = colliders_->separation(pair); d > 0) {
     throw Error(fmt::format(
         "{} begins with elements that are too near: the radii of {} ask for more than {:.9g} m between them; smaller "
         "radii, or elements farther apart, would be right",
-        what, colliders_.describe(pair), d));
+        what, colliders_->describe(pair), d));
   }
-  throw Error(fmt::format("{} begins with elements that touch: {}", what, colliders_.describe(pair)));
+  throw Error(fmt::format("{} begins with elements that touch: {}", what, colliders_->describe(pair)));
 }
 
 BodyResult SimulatedBodies::step(const State& start, double h, double end_time, bool may_merge, const System& system,
@@ -73,13 +72,13 @@ BodyResult SimulatedBodies::step(const State& start, double h, double end_time, 
   next.v.head(count) += result.velocity_change;
   next.frames = system.transported(next.frames, before, next.q);
   const Energies corrected = sim::energies(system, next);
-  const BodyEnergies from = energies(), to = system_.energies(result.end.bodies);
+  const BodyEnergies from = energies(), to = colliders_->bodies().energies(result.end.bodies);
   // A push moves a particle and none of its neighbours: what that stores must come from somewhere. Under a body at rest
   // the integrator relaxes the strains that carry it, and pushes restore them.
   const double gained = (corrected.total() - uncorrected.total()) + (to.kinetic - from.kinetic) + (to.load - from.load);
   const double given = std::max(result.flows.driven, 0.0) + std::max(result.flows.corrections, 0.0);
   result.strains_gain =
-      gained > given + energy_tolerance(uncorrected, corrected) + energy_of_carrying(system_, system, h);
+      gained > given + energy_tolerance(uncorrected, corrected) + energy_of_carrying(colliders_->bodies(), system, h);
   return result;
 }
 
@@ -91,10 +90,7 @@ Refusal SimulatedBodies::refusal_of(const BodyResult& result) const {
     case BodyResult::Outcome::done:
     case BodyResult::Outcome::not_resolved: refusal.cause = Cause::not_resolved; break;
   }
-  if (result.left) {
-    refusal.body_pair = colliders_.describe(*result.left);
-    refusal.body_separation = colliders_.separation(*result.left);
-  }
+  refusal.pair = result.left;
   refusal.point = result.point;
   return refusal;
 }
@@ -103,9 +99,9 @@ void SimulatedBodies::check_state(const BodiesState& state, double time) const {
   const auto fail = [](std::size_t i, std::string_view key, std::string_view reason) {
     throw Error(fmt::format("bodies[{}].{}: {}", i, key, reason));
   };
-  if (state.bodies.size() != system_.bodies().size()) {
-    throw Error(
-        fmt::format("bodies: there are {}, and this scene has {}", state.bodies.size(), system_.bodies().size()));
+  if (state.bodies.size() != colliders_->bodies().bodies().size()) {
+    throw Error(fmt::format("bodies: there are {}, and this scene has {}", state.bodies.size(),
+                            colliders_->bodies().bodies().size()));
   }
   for (std::size_t i = 0; i < state.bodies.size(); ++i) {
     const BodyState& body = state.bodies[i];
@@ -115,26 +111,20 @@ void SimulatedBodies::check_state(const BodiesState& state, double time) const {
     }
     if (!sensible(body.velocity)) fail(i, "velocity", "must be three finite numbers of at most 1e30");
     if (!sensible(body.momentum)) fail(i, "angular_momentum", "must be three finite numbers of at most 1e30");
-    if (system_.bodies()[i].is_free()) continue;
+    if (colliders_->bodies().bodies()[i].is_free()) continue;
     if (body.velocity != Vector3::Zero() || body.momentum != Vector3::Zero()) {
       fail(i, "velocity", "a body that is not free has none");
     }
-    Pose must = system_.prescribed(i, time);
+    Pose must = colliders_->bodies().prescribed(i, time);
     if (dot(must.q, body.pose.q) < 0) must.q = negated(must.q);
     if (time > 0 && must != body.pose) fail(i, "position", "the body is not free: it must be where its motion leads");
   }
-  const auto exists = [&](MeshElement sort, const OfBody& element) {
-    if (element.body != kParticles && element.body >= state.bodies.size()) return false;
-    const ElementSet& surface = colliders_.surface(element.body);
-    return element.number < (sort == MeshElement::edge   ? surface.edges.size()
-                             : sort == MeshElement::face ? surface.faces.size()
-                                                         : surface.around.size());
-  };
+  const Colliders::Counts& all = colliders_->before(colliders_->group_count());
   for (std::size_t i = 0; i < state.forces.size(); ++i) {
     const ContactForce& force = state.forces[i];
     const auto& [first, second] = geometry::traits_of(force.pair.kind);
     const bool known =
-        force.pair.kind != Kind::point_point && exists(first.sort, force.pair.a) && exists(second.sort, force.pair.b);
+        force.pair.kind != Kind::point_point && force.pair.i < all.of(first.sort) && force.pair.j < all.of(second.sort);
     if (!known) throw Error(fmt::format("contact_forces[{}]: the scene has no such pair of elements", i));
     if (!sensible(force.force))
       throw Error(fmt::format("contact_forces[{}]: the force must be finite, at most 1e30", i));

@@ -16,11 +16,10 @@ class SimulatedBodies {
   SimulatedBodies(const Scene& scene, const System& system, const Colliders& colliders,
                   const linear::Cancellation& cancel);
 
-  const BodySystem& system() const noexcept { return system_; }
-  const BodyColliders& colliders() const noexcept { return colliders_; }
+  const BodySystem& system() const noexcept { return colliders_->bodies(); }
   const BodiesState& state() const noexcept { return state_; }
   double thickness() const noexcept { return response_.thickness(); }
-  BodyEnergies energies() const { return system_.energies(state_.bodies); }
+  BodyEnergies energies() const { return system().energies(state_.bodies); }
 
   /// The results of steps have their contacts from now on.
   void keep_contacts() noexcept { keeps_contacts_ = true; }
@@ -40,8 +39,7 @@ class SimulatedBodies {
   void check_state(const BodiesState& state, double time) const;
 
  private:
-  BodySystem system_;
-  BodyColliders colliders_;
+  const Colliders* colliders_;
   BodyResponse response_;
   BodiesState state_;
   bool keeps_contacts_ = false;

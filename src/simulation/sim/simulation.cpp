@@ -118,7 +118,7 @@ Simulation::~Simulation() = default;
 
 StartFindings Simulation::check_start(const State& state, const BodyStates& bodies, std::string_view what) {
   const std::vector<Pair> pairs = colliders_.candidates(state.q, state.q, 0);
-  prover_.contacts(pairs, state.q, state.q, [&](std::size_t i, const Answer&) {
+  prover_.contacts(pairs, {&state.q, &state.q}, [&](std::size_t i, const Answer&) {
     const Pair& pair = pairs[i];
     const double separation = colliders_.separation(pair);
     if (separation == 0) {
@@ -130,8 +130,12 @@ StartFindings Simulation::check_start(const State& state, const BodyStates& bodi
         what, colliders_.describe(pair), colliders_.distance(pair, state.q), separation));
   });
   cancel_.check();
-  const BodyColliders* const of_bodies = bodies_ ? &bodies_->colliders() : nullptr;
-  return check_no_intersection({&colliders_, &state.q, scene_.particles.size(), of_bodies, &bodies}, what, threads_);
+  return check_no_intersection(colliders_, state.q, bodies, what, threads_);
+}
+
+Vector3 Simulation::position_of(Index vertex) const {
+  static const BodyStates none;
+  return colliders_.at(vertex, state_.q, bodies_ ? bodies_->state().bodies : none);
 }
 
 Energies Simulation::energies() const {
@@ -312,12 +316,7 @@ std::variant<SubstepRecord, Refusal> Simulation::try_substep(double h, double en
   record.proof = proof;
   if (kBodies && bodies_) {
     record.bodies = bodies.counts;
-    if (const SeparationCounts& kept = bodies.counts.separations; kept.pairs > 0) {
-      StepProof& all = record.proof;
-      all.least = all.separated == 0 ? kept.least : std::min(all.least, kept.least);
-      all.largest = std::max(all.largest, kept.largest);
-      all.separated += kept.pairs;
-    }
+    record.proof.separations += bodies.counts.separations;
   }
   if (keep_ends_) record.end = state_.q;
   if (kBodies && bodies_ && keep_ends_) record.end_bodies = bodies_->state().bodies;
@@ -363,24 +362,14 @@ Refusal Simulation::refusal_of(const ResponseResult& response) const {
   return refused_for(Cause::gained_energy);
 }
 
-void Simulation::measure_separations(const std::vector<Pair>& pairs, StepProof& proof) const {
-  for (const Pair& pair : pairs) {
-    const double d = colliders_.separation(pair);
-    if (d == 0) continue;
-    proof.least = proof.separated == 0 ? d : std::min(proof.least, d);
-    proof.largest = std::max(proof.largest, d);
-    ++proof.separated;
-  }
-}
-
 /// Looks at the positions as they are stored, and finds its own candidates.
 StepProof Simulation::prove(const State& end, double h, std::vector<Crossing>& crossings) {
   const PhaseClock clock(times_.proof);
   const std::vector<Pair> pairs = colliders_.candidates(state_.q, end.q, 0);
   StepProof proof;
   proof.pairs = pairs.size();
-  if (colliders_.has_separations()) measure_separations(pairs, proof);
-  proof.levels = prover_.contacts(pairs, state_.q, end.q, [&](std::size_t i, const Answer& answer) {
+  proof.separations = separations_of(colliders_, pairs);
+  proof.levels = prover_.contacts(pairs, {&state_.q, &end.q}, [&](std::size_t i, const Answer& answer) {
     crossings.push_back({steps_, state_.time + answer.toi * h,
                          colliders_.contact_point(pairs[i], state_.q, end.q, answer), pairs[i],
                          colliders_.query(pairs[i], state_.q, end.q), answer});

@@ -39,8 +39,7 @@ struct StepProof {
   std::uint64_t pairs = 0;
   LevelCounts levels;
   std::uint64_t crossings = 0;
-  std::uint64_t separated = 0;    ///< pairs that keep a distance, and do not only not touch
-  double least = 0, largest = 0;  ///< of these distances, m; 0 without any
+  SeparationCounts separations;
 };
 
 /// The course of one substep: of a whole step, or of a part of one that had to be shortened.
@@ -109,12 +108,12 @@ class Simulation {
   double thickness() const noexcept { return response_.thickness(); }
   /// Of all steps so far, those that were refused included.
   const PhaseTimes& times() const noexcept { return times_; }
+  /// Now, by the numbers of `colliders`. m
+  Vector3 position_of(Index vertex) const;
   /// Of particles and bodies.
   Energies energies() const;
   /// Whether pairs of elements keep distances, by the radii of particles' elements or of bodies.
-  bool has_separations() const noexcept {
-    return colliders_.has_separations() || (bodies_ && bodies_->colliders().has_separations());
-  }
+  bool has_separations() const noexcept { return colliders_.has_separations(); }
   /// Null when the scene has no bodies.
   const SimulatedBodies* bodies() const noexcept { return bodies_.get(); }
 
@@ -139,7 +138,6 @@ class Simulation {
   /// Whether the tolerance asks for no shorter substep.
   bool is_least(double h) const noexcept;
   Refusal refusal_of(const ResponseResult& response) const;
-  void measure_separations(const std::vector<Pair>& pairs, StepProof& proof) const;
   StepProof prove(const State& end, double h, std::vector<Crossing>& crossings);
 
   linear::Cancellation cancel_;

@@ -16,14 +16,8 @@
 namespace touchstone::sim {
 namespace {
 
-/// A vertex of the mesh: a particle, or a vertex of a body.
-struct Vertex {
-  OfBody of;
-  bool can_move = false;
-};
-
 /// A scene may have a face twice, for collisions and for forces; a mesh may not.
-void add_once_each(std::vector<Face> faces, Index first, std::vector<Face>& all) {
+std::vector<Face> once_each(std::vector<Face> faces) {
   const auto sorted = [](Face face) {  // of a face in both orientations, either is right
     std::sort(face.begin(), face.end());
     return face;
@@ -31,24 +25,21 @@ void add_once_each(std::vector<Face> faces, Index first, std::vector<Face>& all)
   std::stable_sort(faces.begin(), faces.end(), [&](const Face& a, const Face& b) { return sorted(a) < sorted(b); });
   const auto same = [&](const Face& a, const Face& b) { return sorted(a) == sorted(b); };
   faces.erase(std::unique(faces.begin(), faces.end(), same), faces.end());
-  for (const Face& face : faces) all.push_back({first + face[0], first + face[1], first + face[2]});
+  return faces;
 }
 
-/// The vertices of bodies come after the particles.
 class StartMesh {
  public:
-  explicit StartMesh(const StartElements& start) {
-    const Colliders& colliders = *start.colliders;
+  StartMesh(const Colliders& colliders, const VectorX& q, const BodyStates& bodies) : colliders_(colliders) {
     MeshElements elements;
     elements.edges = colliders.edges();
-    add_once_each(colliders.faces(), 0, elements.faces);
+    elements.faces = once_each(colliders.faces());
     elements.points = colliders.points();
-    for (Index p = 0; p < start.particles; ++p) {
-      vertices_.push_back({{kParticles, p}, colliders.can_move(p)});
-      x_.push_back(corner_of(*start.q, p));
+    elements.vertex_count = colliders.before(colliders.group_count()).vertices;
+    for (Index v = 0; v < elements.vertex_count; ++v) {
+      const Vector3 x = colliders.at(v, q, bodies);
+      x_.push_back({x.x(), x.y(), x.z()});
     }
-    if (start.bodies != nullptr) add_bodies(start, elements);
-    elements.vertex_count = vertices_.size();
     mesh_ = Mesh(std::move(elements));
   }
 
@@ -59,14 +50,14 @@ class StartMesh {
   }
 
   bool within_body(const Intersection& found) const {
-    const Index first = body_of(found.first_element, found.first);
-    return first != kParticles && first == body_of(found.second_element, found.second);
+    const Index first = group_of(found.first_element, found.first);
+    return first != kParticles && first == group_of(found.second_element, found.second);
   }
 
   bool can_move(const Intersection& found) const {
     const auto any = [&](MeshElement element, MeshIndex number) {
       const auto corners = corners_of(element, number);
-      return std::any_of(corners.begin(), corners.end(), [&](MeshIndex v) { return vertices_[v].can_move; });
+      return std::any_of(corners.begin(), corners.end(), [&](MeshIndex v) { return colliders_.can_move(v); });
     };
     return any(found.first_element, found.first) || any(found.second_element, found.second);
   }
@@ -78,18 +69,19 @@ class StartMesh {
     options.threads = threads;
     const Insides inside = insides(mesh_, x_, options, found, ClosedParts::all);
     for (const EnclosedPart& piece : inside.enclosed) {
-      const OfBody inner = vertices_[piece.vertex].of;
+      const Index inner = colliders_.group_of(piece.vertex);
       const auto outer = std::find_if(piece.faces.begin(), piece.faces.end(), [&](MeshIndex face) {
-        return inner.body == kParticles || body_of(MeshElement::face, face) != inner.body;
+        return inner == kParticles || group_of(MeshElement::face, face) != inner;
       });
       if (outer == piece.faces.end()) continue;  // a cavity, or a body of several shells
-      const Index body = body_of(MeshElement::face, *outer);
-      findings.enclosed_in_bodies += body != kParticles ? 1 : 0;
+      const Index group = group_of(MeshElement::face, *outer);
+      findings.enclosed_in_bodies += group != kParticles ? 1 : 0;
       if (findings.enclosed++ > 0) continue;
       findings.enclosed_first = fmt::format(
           "{} in {}",
-          inner.body == kParticles ? fmt::format("particle {}", inner.number) : fmt::format("body {}", inner.body),
-          body == kParticles ? "the surface of " + name(MeshElement::face, *outer) : fmt::format("body {}", body));
+          inner == kParticles ? fmt::format("particle {}", piece.vertex) : fmt::format("body {}", inner - 1),
+          group == kParticles ? "the surface of " + name(MeshElement::face, *outer)
+                              : fmt::format("body {}", group - 1));
     }
     findings.branching = inside.branching;
     findings.in_open = inside.in_open;
@@ -109,23 +101,8 @@ class StartMesh {
   }
 
  private:
-  void add_bodies(const StartElements& start, MeshElements& elements) {
-    for (Index b = 0; b < start.bodies->surfaces().size(); ++b) {
-      const ElementSet& surface = start.bodies->surface(b);
-      const auto first = static_cast<Index>(vertices_.size());
-      for (Index v = 0; v < surface.around.size(); ++v) {
-        vertices_.push_back({{b, v}, start.bodies->can_move(b)});
-        const Vector3 x = start.bodies->at({b, v}, *start.states, *start.q);
-        x_.push_back({x.x(), x.y(), x.z()});
-      }
-      for (const Edge& edge : surface.edges) elements.edges.push_back({first + edge[0], first + edge[1]});
-      add_once_each(surface.faces, first, elements.faces);
-    }
-  }
-
-  /// kParticles for an element of particles.
-  Index body_of(MeshElement element, MeshIndex number) const {
-    return vertices_[corners_of(element, number).front()].of.body;
+  Index group_of(MeshElement element, MeshIndex number) const {
+    return colliders_.group_of(corners_of(element, number).front());
   }
 
   static const char* how(IntersectionSort sort) noexcept {
@@ -143,25 +120,19 @@ class StartMesh {
   }
 
   std::string name(MeshElement element, MeshIndex number) const {
-    const auto corners = corners_of(element, number);
-    const Index body = body_of(element, number);
-    std::string text(element == MeshElement::vertex && body == kParticles ? "particle" : name_of(element));
-    const char* separator = " ";
-    for (const MeshIndex corner : corners) {
-      text += fmt::format("{}{}", std::exchange(separator, "-"), vertices_[corner].of.number);
-    }
-    return body == kParticles ? text : fmt::format("{} of body {}", text, body);
+    return colliders_.describe(element, corners_of(element, number).data());
   }
 
-  std::vector<Vertex> vertices_;
+  const Colliders& colliders_;
   std::vector<Vec3> x_;
   Mesh mesh_;
 };
 
 }  // namespace
 
-StartFindings check_no_intersection(const StartElements& start, std::string_view what, int threads) {
-  const StartMesh mesh(start);
+StartFindings check_no_intersection(const Colliders& colliders, const VectorX& q, const BodyStates& bodies,
+                                    std::string_view what, int threads) {
+  const StartMesh mesh(colliders, q, bodies);
   StartFindings findings;
   std::size_t moving = 0;
   std::string first;

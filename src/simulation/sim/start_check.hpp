@@ -7,18 +7,9 @@
 #include <string>
 #include <string_view>
 
-#include "body_contact/body_colliders.hpp"
+#include "contact/colliders.hpp"
 
 namespace touchstone::sim {
-
-/// The elements of particles and bodies at the start of a run, or at its checkpoint.
-struct StartElements {
-  const Colliders* colliders = nullptr;
-  const VectorX* q = nullptr;
-  std::size_t particles = 0;
-  const BodyColliders* bodies = nullptr;  ///< null in a scene without bodies
-  const BodyStates* states = nullptr;     ///< likewise
-};
 
 /// What is allowed at the start, and what a verdict tells.
 struct StartFindings {
@@ -32,8 +23,9 @@ struct StartFindings {
       enclosed_first;  ///< of the enclosed ones: "particle 3 in body 0", "particle 3 in the surface of face 5-6-7"
 };
 
-/// Asks `intersections` of all elements at once. Corners of bodies are rounded to doubles, and then decided exactly.
+/// Asks `intersections` of all elements at once, at the start of a run or at its checkpoint. Corners of bodies are rounded to doubles, and then decided exactly.
 /// @throws Error "WHAT begins with elements that pierce each other: edge 0-1 and face 2-3-4 at (x, y, z)", or that touch
-StartFindings check_no_intersection(const StartElements& start, std::string_view what, int threads);
+StartFindings check_no_intersection(const Colliders& colliders, const VectorX& q, const BodyStates& bodies,
+                                    std::string_view what, int threads);
 
 }  // namespace touchstone::sim

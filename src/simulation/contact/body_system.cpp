@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "body_contact/body_system.hpp"
+#include "contact/body_system.hpp"
 
 #include <algorithm>
 #include <cmath>
