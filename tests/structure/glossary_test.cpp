@@ -65,7 +65,6 @@ struct AllowedType {
 const std::vector<AllowedType> kAllowedTypes = {
     {"Body", "of the library: a mesh that turns; of a scene: what its key `bodies` lists, with mass and motion"},
     {"BodyContact", "of the library: with its exact answer; of the simulator: with the impulses' directions"},
-    {"BodyPair", "of the library: of two bodies' elements; of the simulator: of a body and particles, too"},
     {"Facet", "of a scene: a face that only collides; of the filters: a facet of a polyhedron"},
     {"Frame", "of an animation; and the vectors u, w, r of a query, of which the baselines have their own"},
     {"Mesh", "of the library; and the generators' faces and edges, which know nothing of it"},

@@ -237,7 +237,7 @@ void BodyResponse::Attempt::answer_touches(const Touches& touches) {
   }
 }
 
-BodyResult::Outcome BodyResponse::Attempt::settle(double restitution) {
+std::optional<Refusal> BodyResponse::Attempt::settle(double restitution) {
   Touches found;
   restored_ = restored_particles_ = 0;
   result_.counts.zones = 0;
@@ -250,7 +250,7 @@ BodyResult::Outcome BodyResponse::Attempt::settle(double restitution) {
       solve(restitution);
       move();
     }
-    if (system_->most_turn(result_.end.bodies, step_->h) > 2 * kMostTurn) return Outcome::too_fast;
+    if (system_->most_turn(result_.end.bodies, step_->h) > 2 * kMostTurn) return Refusal{Cause::turns_too_far};
     double asking = 0;
     {
       const PhaseClock clock(asking);
@@ -266,7 +266,7 @@ BodyResult::Outcome BodyResponse::Attempt::settle(double restitution) {
         const PhaseClock clock(result_.times.contacts);
         restore_angular_momentum();
       }
-      return Outcome::done;
+      return std::nullopt;
     }
     count_asked(found);
     if (pass == kPasses) break;
@@ -276,31 +276,29 @@ BodyResult::Outcome BodyResponse::Attempt::settle(double restitution) {
   const PhaseClock clock(result_.times.response);
   if (step_->may_merge && merge(found)) {
     restore_angular_momentum();
-    return Outcome::done;
+    return std::nullopt;
   }
-  result_.left = found.found.front().first;
   const auto& [pair, answer] = found.found.front();
-  result_.point = touching(*r_->colliders_, pair, motion(), answer).point;
-  return Outcome::not_resolved;
+  return Refusal{Cause::not_resolved, pair, touching(*r_->colliders_, pair, motion(), answer).point};
 }
 
 BodyResult BodyResponse::Attempt::run() {
   kept_ = kGapKept * r_->thickness_;
   if (!begin()) {
-    result_.outcome = Outcome::too_fast;
+    result_.refused = Refusal{Cause::turns_too_far};
     return std::move(result_);
   }
   find_contacts();
   const std::vector<SolverContact> found = contacts_;
   const double restitution = r_->contact_.restitution;
-  result_.outcome = settle(restitution);
-  if (result_.outcome == Outcome::done && gained_energy()) {
-    result_.outcome = Outcome::gained_energy;
-    if (restitution > 0) {
-      contacts_ = found;
-      const auto retried = settle(0);
-      result_.outcome = retried == Outcome::done && gained_energy() ? Outcome::gained_energy : retried;
-    }
+  const auto settled = [&](double e) {
+    const auto refused = settle(e);
+    return !refused && gained_energy() ? std::optional(Refusal{Cause::gained_energy}) : refused;
+  };
+  result_.refused = settled(restitution);
+  if (restitution > 0 && result_.refused && result_.refused->cause == Cause::gained_energy) {
+    contacts_ = found;
+    result_.refused = settled(0);
   }
   measure_flows();
   for (const SolverContact& c : contacts_) {

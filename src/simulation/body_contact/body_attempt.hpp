@@ -21,14 +21,12 @@ class BodyResponse::Attempt {
   BodyResult run();
 
  private:
-  using Outcome = BodyResult::Outcome;
-
   bool begin();
   void find_contacts();
   void set_targets();
   void solve(double restitution);
   void move();
-  Outcome settle(double restitution);
+  std::optional<Refusal> settle(double restitution);
   Touches touches();
   void count_asked(const Touches& touches);
   void answer_touches(const Touches& touches);
@@ -70,7 +68,7 @@ class BodyResponse::Attempt {
   double kept_ = 0;                              // m
   double restored_ = 0;                          // J: the kinetic energy that restoring angular momentum gave
   double restored_particles_ = 0;                // J: the part of particles
-  BodyFlows carried_;                            // of bodies that moved as one
+  EnergyFlows carried_;                          // of bodies that moved as one
 };
 
 }  // namespace touchstone::sim

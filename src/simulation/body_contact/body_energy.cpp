@@ -163,12 +163,9 @@ bool BodyResponse::Attempt::gained_energy() const {
 /// they give, and a body at rest gets none. Turning is measured at the orientation of the start,
 /// where the impulses act, with the angular velocities that belong to the momenta.
 void BodyResponse::Attempt::measure_flows() {
-  BodyFlows& flows = result_.flows;
+  EnergyFlows& flows = result_.flows;
   const BodyStates& start = start_->bodies;
-  const auto total = [&](const BodyStates& states) {
-    const BodyEnergies energies = system_->energies(states);
-    return energies.kinetic + energies.load;
-  };
+  const auto total = [&](const BodyStates& states) { return system_->energies(states).total(); };
   if (system_->has_drag()) flows.drag = total(free_) - total(start);
   if (contacts_.empty()) return;
   Movers before = free_movers_, after = movers_;

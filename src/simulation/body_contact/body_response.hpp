@@ -3,11 +3,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <optional>
-
 #include "body_contact/contact_solver.hpp"
 #include "contact/narrow_phase.hpp"
-#include "contact/phase_times.hpp"
+#include "contact/outcome.hpp"
 
 namespace touchstone::sim {
 
@@ -38,11 +36,6 @@ struct BodyCounts {
   int passes = 0, sweeps = 0, zones = 0;
 };
 
-/// The energy that bodies, and the particles that they push, gain in a substep, J, as EnergyFlows of the dynamics.
-struct BodyFlows {
-  double driven = 0, drag = 0, friction = 0, impacts = 0, corrections = 0;
-};
-
 /// A substep of the bodies.
 struct BodyStep {
   double h = 0;                 ///< s
@@ -54,24 +47,13 @@ struct BodyStep {
   bool keep_contacts = false;   ///< whether the result has them
 };
 
-struct BodyResult {
-  enum class Outcome : std::uint8_t {
-    done,
-    too_fast,      ///< a body turns by more than a radian
-    not_resolved,  ///< pairs still touch
-    gained_energy
-  };
-  Outcome outcome = Outcome::done;
+struct BodyResult : ContactOutcome {
   BodiesState end;
-  VectorX x1;                       ///< of particles, at the end
-  VectorX velocity_change;          ///< of particles, m/s
-  std::optional<Pair> left;         ///< when not resolved
-  Vector3 point = Vector3::Zero();  ///< where it touches, m
+  VectorX x1;                 ///< of particles, at the end
+  VectorX velocity_change;    ///< of particles, m/s
   bool strains_gain = false;  ///< pushes store more in springs, cables and cloth than bodies lose: see SimulatedBodies
   BodyCounts counts;
-  BodyFlows flows;
   std::vector<BodyContact> contacts;  ///< with keep_contacts: those that push
-  PhaseTimes times;
 };
 
 class BodyResponse {

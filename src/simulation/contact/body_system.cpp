@@ -86,8 +86,8 @@ void BodySystem::accelerate(BodyStates& states, double h) const {
   }
 }
 
-BodyEnergies BodySystem::energies(const BodyStates& states) const {
-  BodyEnergies sum;
+Energies BodySystem::energies(const BodyStates& states) const {
+  Energies sum;
   for (std::size_t i = 0; i < states.size(); ++i) {
     const RigidBody& body = bodies_[i];
     if (!body.is_free()) continue;

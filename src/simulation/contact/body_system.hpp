@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "bodies/spin.hpp"
+#include "rods/energy.hpp"
 #include "scene/scene.hpp"
 
 namespace touchstone::sim {
@@ -32,10 +33,6 @@ struct BodyState {
 };
 using BodyStates = std::vector<BodyState>;
 
-struct BodyEnergies {
-  double kinetic = 0, load = 0;  ///< J
-};
-
 class BodySystem {
  public:
   explicit BodySystem(const Scene& scene);
@@ -52,7 +49,7 @@ class BodySystem {
   /// The velocities h seconds later, by gravity and drag.
   void accelerate(BodyStates& states, double h) const;
 
-  BodyEnergies energies(const BodyStates& states) const;
+  Energies energies(const BodyStates& states) const;
   const Vector3& gravity() const noexcept { return gravity_; }
   bool has_drag() const noexcept { return drag_ > 0; }
 

@@ -131,6 +131,14 @@ bool proximity(const Colliders& colliders, const Pair& pair, const VectorX& x0, 
   return true;
 }
 
+Vector3 contact_point(const Contact& contact, const VectorX& q) {
+  // The weights of the first element have one sign, and their magnitudes sum to 1.
+  const std::size_t of_first = geometry::corners_of_first(contact.pair.kind);
+  Vector3 point = Vector3::Zero();
+  for (std::size_t c = 0; c < of_first; ++c) point += std::abs(contact.omega[c]) * position(q, contact.particles[c]);
+  return point;
+}
+
 bool apply_impulse(const Contact& contact, const ImpulseRule& rule, const Displacements& motion) {
   const Vector3& n = contact.normal;
   Vector3 moved = Vector3::Zero(), response = Vector3::Zero();  // response: to a unit impulse along each axis

@@ -29,6 +29,9 @@ Contact contact_of(const Colliders& colliders, const Pair& pair, const VectorX& 
 /// distance exceeds their separation by `thickness` or more, or they touch.
 bool proximity(const Colliders& colliders, const Pair& pair, const VectorX& x0, double thickness, Contact& contact);
 
+/// Where the pair of the contact touches, at these positions.
+Vector3 contact_point(const Contact& contact, const VectorX& q);
+
 /// How impulses answer a contact in one substep.
 struct ImpulseRule {
   double restitution = 0, friction = 0;

@@ -5,16 +5,6 @@
 
 namespace touchstone::sim {
 
-EnergyFlows& EnergyFlows::operator+=(const EnergyFlows& other) noexcept {
-  driven += other.driven;
-  drag += other.drag;
-  damping += other.damping;
-  friction += other.friction;
-  impacts += other.impacts;
-  corrections += other.corrections;
-  return *this;
-}
-
 FlowMeter::FlowMeter(const System& system, double drag, const State& before, double h)
     : system_(&system),
       energy_(system),

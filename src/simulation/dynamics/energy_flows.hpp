@@ -2,24 +2,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "contact/outcome.hpp"
 #include "dynamics/state.hpp"
 #include "rods/energy.hpp"
 
 namespace touchstone::sim {
-
-/// J, by the force: positive where it gives energy to the system, negative where it takes energy away. What a substep
-/// gains beyond the sum is the gain of its integrator.
-struct EnergyFlows {
-  double driven = 0;       ///< of driven coordinates, and of the twist that is inserted into a ring
-  double drag = 0;         ///< of the settings
-  double damping = 0;      ///< of springs and cables
-  double friction = 0;     ///< of contacts, as the next two
-  double impacts = 0;      ///< of the forces along the normals
-  double corrections = 0;  ///< of position corrections
-
-  double total() const noexcept { return driven + drag + damping + friction + impacts + corrections; }
-  EnergyFlows& operator+=(const EnergyFlows& other) noexcept;
-};
 
 /// Adds up the flows of one substep.
 class FlowMeter {

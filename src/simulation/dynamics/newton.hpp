@@ -6,6 +6,7 @@
 #include <span>
 
 #include "contact/contact_potential.hpp"
+#include "contact/outcome.hpp"
 #include "linear/cancellation.hpp"
 #include "linear/sparse_pattern.hpp"
 #include "rods/energy.hpp"
@@ -21,12 +22,6 @@ struct Stage {
   Strains strains;                        ///< with the damping of this span
   std::span<const ContactTerm> contacts;  ///< relative to base
   double tolerance = 0;                   ///< m/s; 0: the tolerance of the settings
-};
-
-/// The coordinate that changed most in the last iteration, and how fast.
-struct LargestChange {
-  Eigen::Index coordinate = -1;  ///< -1: there was none
-  double speed = 0;              ///< m/s or rad/s
 };
 
 struct NewtonResult {

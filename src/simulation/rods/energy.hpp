@@ -20,6 +20,12 @@ class BlockSink {
   ~BlockSink() = default;
 };
 
+/// J, by kind. Potential energies of gravity and of the particles' forces are zero at the origin.
+struct Energies {
+  double kinetic = 0, stretch = 0, bend = 0, twist = 0, load = 0;
+  double total() const noexcept { return kinetic + stretch + bend + twist + load; }
+};
+
 /// Stiffness and rest of every strain: those of the scene, or with damping folded in. A strain s with damping c that
 /// was s0 a time `span` ago has the incremental potential 1/2 k (s - rest)^2 + c / (2 span) (s - s0)^2. The sum is one
 /// parabola again.

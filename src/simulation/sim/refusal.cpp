@@ -62,40 +62,18 @@ std::string not_converged(const Refusal& refusal, const Scene& scene, const Syst
 
 }  // namespace
 
-void count(RefusedCounts& counts, Cause cause) noexcept {
-  switch (cause) {
-    case Cause::not_converged: ++counts.not_converged; break;
-    case Cause::not_resolved: ++counts.not_resolved; break;
-    case Cause::gained_energy: ++counts.gained_energy; break;
-    case Cause::overstretched: ++counts.overstretched; break;
-    case Cause::not_certified: ++counts.not_certified; break;
-    case Cause::inaccurate: ++counts.inaccurate; break;
-    case Cause::turns_too_far: ++counts.turns_too_far; break;
-  }
-}
-
 std::string refused_for_person(const RefusedCounts& counts, const RefusedCounts& before) {
-  const std::array<std::pair<std::uint64_t, const char*>, 7> all{
-      {{counts.not_converged - before.not_converged, "did not converge"},
-       {counts.not_resolved - before.not_resolved, "found no response"},
-       {counts.gained_energy - before.gained_energy, "would have gained energy"},
-       {counts.overstretched - before.overstretched, "would have stretched cloth to its limit"},
-       {counts.not_certified - before.not_certified, "failed their proof"},
-       {counts.inaccurate - before.inaccurate, "were less accurate than the tolerance"},
-       {counts.turns_too_far - before.turns_too_far, "turned a body too far"}}};
+  constexpr std::array<const char*, kCauses> kWhat{
+      "did not converge",         "found no response",
+      "would have gained energy", "would have stretched cloth to its limit",
+      "failed their proof",       "were less accurate than the tolerance",
+      "turned a body too far"};
   std::string text;
-  for (const auto& [number, what] : all) {
-    if (number > 0) text += fmt::format("{}{} {}", text.empty() ? "" : ", ", number, what);
+  for (std::size_t c = 0; c < kCauses; ++c) {
+    if (const std::uint64_t number = counts[c] - before[c]; number > 0)
+      text += fmt::format("{}{} {}", text.empty() ? "" : ", ", number, kWhat[c]);
   }
   return text;
-}
-
-Vector3 contact_point(const Contact& contact, const VectorX& q) {
-  // The weights of the first element have one sign, and their magnitudes sum to 1.
-  const std::size_t of_first = geometry::corners_of_first(contact.pair.kind);
-  Vector3 point = Vector3::Zero();
-  for (std::size_t c = 0; c < of_first; ++c) point += std::abs(contact.omega[c]) * position(q, contact.particles[c]);
-  return point;
 }
 
 std::string refusal_for_person(const Refusal& refusal, const Scene& scene, const System& system,

@@ -32,9 +32,7 @@ class Response::Attempt {
   ResponseResult run();
 
  private:
-  using Outcome = ResponseResult::Outcome;
-
-  Outcome answer();
+  std::optional<Cause> answer();
   void find(std::vector<Contact>& found);
   void keep_contacts(const std::vector<Contact>& contacts);
   void keep_each_pair_once();
@@ -55,6 +53,8 @@ class Response::Attempt {
   VectorX integrated_;  // the positions that the integrator leads to, to which the velocities belong
   VectorX correction_;  // the part of the way from there that is no velocity
   EnergyLimit limit_;
+  std::optional<Contact> left_;  // when not resolved: one of the contacts that are left
+  LargestChange largest_change_;
   // When flows of energy are measured: the impulses, and the end of the solve with contacts, if there is one.
   ContactImpulses applied_;
   State solved_;
@@ -78,17 +78,23 @@ Response::Attempt::Attempt(Response& response, Substep substep)
 ResponseResult Response::Attempt::run() {
   {
     const PhaseClock clock(result_.times.response);
-    result_.outcome = answer();
+    if (const auto cause = answer()) {
+      result_.refused = Refusal{.cause = *cause, .largest_change = largest_change_, .with_contacts = true};
+      if (cause == Cause::not_resolved && left_) {
+        result_.refused->pair = left_->pair;
+        result_.refused->point = contact_point(*left_, start_->q);
+      }
+    }
   }
   if (response_->keeps_contacts_) keep_each_pair_once();
-  const bool ended = result_.outcome == Outcome::done || result_.outcome == Outcome::gained_energy;
+  const bool ended = !result_.refused || result_.refused->cause == Cause::gained_energy;
   if (ended && applied_.normal.size() > 0) measure_flows();
   return std::move(result_);
 }
 
-ResponseResult::Outcome Response::Attempt::answer() {
+std::optional<Cause> Response::Attempt::answer() {
   const auto& passes = model_->colliders().passes();
-  if (!passes.edge_edge && !passes.vertex_face && !passes.joints && !passes.points) return Outcome::done;
+  if (!passes.edge_edge && !passes.vertex_face && !passes.joints && !passes.points) return std::nullopt;
   ContactFinder& finder = response_->finder_;
   State& end = result_.end;
   finder.begin(start_->q, end.q, model_->thickness());
@@ -98,7 +104,7 @@ ResponseResult::Outcome Response::Attempt::answer() {
   result_.counts.close = known.size();
   keep_contacts(known);
   find(found);
-  if (known.empty() && found.empty()) return Outcome::done;
+  if (known.empty() && found.empty()) return std::nullopt;
   if (model_->contact().impulses) known.insert(known.end(), found.begin(), found.end());
   found = {};
 
@@ -112,7 +118,7 @@ ResponseResult::Outcome Response::Attempt::answer() {
     const State free = end;
     if (resolve_by_impulses(known)) {
       take_velocities();
-      if (!gained_energy()) return Outcome::done;
+      if (!gained_energy()) return std::nullopt;
     }
     end = free;
     integrated_ = free.q;
@@ -120,14 +126,14 @@ ResponseResult::Outcome Response::Attempt::answer() {
     if (response_->measures_flows_) applied_.reset(correction_.size());
     limit_.driven_work = 0;
   }
-  if (!solve_with_contacts(std::move(known))) return Outcome::not_converged;
+  if (!solve_with_contacts(std::move(known))) return Cause::not_converged;
   if (!resolve_by_impulses({})) {
     find(found);
-    if (!model_->contact().zones && !found.empty()) result_.left = found.front();
-    if (!model_->contact().zones || !resolve_by_zones(found)) return Outcome::not_resolved;
+    if (!model_->contact().zones && !found.empty()) left_ = found.front();
+    if (!model_->contact().zones || !resolve_by_zones(found)) return Cause::not_resolved;
   }
   take_velocities();
-  return gained_energy() ? Outcome::gained_energy : Outcome::done;
+  return gained_energy() ? std::optional(Cause::gained_energy) : std::nullopt;
 }
 
 /// The contacts of the end as it stands.
@@ -208,7 +214,7 @@ bool Response::Attempt::solve_with_contacts(std::vector<Contact> contacts) {
     result_.times.response -= result_.times.contacts - before;  // its clock goes on, and counts this too
     ++result_.counts.solves;
     result_.counts.newton_iterations += advance.iterations;
-    result_.largest_change = advance.largest_change;
+    largest_change_ = advance.largest_change;
     if (!advance.converged) return false;
     end = std::move(advance.state);
     driven = response_->stepper_->driven_work(*start_, h_, terms.all(), end);
@@ -244,7 +250,7 @@ bool Response::Attempt::resolve_by_zones(std::vector<Contact> contacts) {
   VectorX& x1 = result_.end.q;
   for (std::size_t round = 1; !contacts.empty(); ++round) {
     for (const Contact& contact : contacts) {
-      result_.left = contact;
+      left_ = contact;
       if (zones.join(contact)) continue;
       // A zone moves as one. Only a turn can bring elements of it within their separation, and only rounding can make
       // them meet.
@@ -262,7 +268,7 @@ bool Response::Attempt::resolve_by_zones(std::vector<Contact> contacts) {
       const Turning turning = may_turn(zone) ? Turning::free : Turning::none;
       if (!move_rigidly(zone, system, model_->inverse_mass(), start_->q, x1, turning)) {
         const auto of_zone = [&](const Contact& c) { return zones.zone(c.particles[0]) == zone.front(); };
-        result_.left = *std::find_if(contacts.begin(), contacts.end() - 1, of_zone);
+        left_ = *std::find_if(contacts.begin(), contacts.end() - 1, of_zone);
         return false;
       }
       for (const Index p : zone) correction_.segment<3>(3 * static_cast<Eigen::Index>(p)).setZero();

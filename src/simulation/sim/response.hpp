@@ -2,10 +2,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <optional>
-
 #include "contact/contact_finder.hpp"
-#include "contact/phase_times.hpp"
+#include "contact/outcome.hpp"
 #include "dynamics/stepper.hpp"
 #include "sim/response_model.hpp"
 
@@ -19,20 +17,9 @@ struct Substep {
   EnergyFlows flows{};  ///< when they are measured
 };
 
-struct ResponseResult {
-  enum class Outcome : std::uint8_t {
-    done,
-    not_converged,
-    not_resolved,  ///< contacts are left: the substep must be shorter
-    gained_energy  ///< contacts would do work: the substep should be shorter
-  };
-  Outcome outcome = Outcome::done;
-  State end;  ///< of the substep, without a contact on the way: when done, or when energy was gained
+struct ResponseResult : ContactOutcome {
+  State end;  ///< of the substep, without a contact on the way: when not refused, or when energy was gained
   ResponseCounts counts;
-  LargestChange largest_change;   ///< when not converged
-  std::optional<Contact> left;    ///< when not resolved: one of the contacts that are left
-  PhaseTimes times;               ///< of this response
-  EnergyFlows flows;              ///< of the substep, when they are measured
   std::vector<Contact> contacts;  ///< with keep_contacts: each pair that was close at the start or found to touch, once
 };
 

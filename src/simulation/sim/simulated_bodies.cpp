@@ -64,7 +64,7 @@ BodyResult SimulatedBodies::step(const State& start, double h, double end_time, 
   const VectorX v0 = start.v.head(count);
   BodyStep step{h, end_time, &x0, next.q.head(count), &v0, may_merge, keeps_contacts_};
   BodyResult result = response_.step(state_, std::move(step));
-  if (result.outcome == BodyResult::Outcome::too_fast || result.x1.size() == 0) return result;
+  if (result.x1.size() == 0) return result;
   if ((result.x1.array() == next.q.head(count).array()).all()) return result;
   const VectorX before = next.q;
   const Energies uncorrected = sim::energies(system, next);
@@ -72,7 +72,7 @@ BodyResult SimulatedBodies::step(const State& start, double h, double end_time, 
   next.v.head(count) += result.velocity_change;
   next.frames = system.transported(next.frames, before, next.q);
   const Energies corrected = sim::energies(system, next);
-  const BodyEnergies from = energies(), to = colliders_->bodies().energies(result.end.bodies);
+  const Energies from = energies(), to = colliders_->bodies().energies(result.end.bodies);
   // A push moves a particle and none of its neighbours: what that stores must come from somewhere. Under a body at rest
   // the integrator relaxes the strains that carry it, and pushes restore them.
   const double gained = (corrected.total() - uncorrected.total()) + (to.kinetic - from.kinetic) + (to.load - from.load);
@@ -80,19 +80,6 @@ BodyResult SimulatedBodies::step(const State& start, double h, double end_time, 
   result.strains_gain =
       gained > given + energy_tolerance(uncorrected, corrected) + energy_of_carrying(colliders_->bodies(), system, h);
   return result;
-}
-
-Refusal SimulatedBodies::refusal_of(const BodyResult& result) const {
-  Refusal refusal;
-  switch (result.outcome) {
-    case BodyResult::Outcome::too_fast: refusal.cause = Cause::turns_too_far; break;
-    case BodyResult::Outcome::gained_energy: refusal.cause = Cause::gained_energy; break;
-    case BodyResult::Outcome::done:
-    case BodyResult::Outcome::not_resolved: refusal.cause = Cause::not_resolved; break;
-  }
-  refusal.pair = result.left;
-  refusal.point = result.point;
-  return refusal;
 }
 
 void SimulatedBodies::check_state(const BodiesState& state, double time) const {

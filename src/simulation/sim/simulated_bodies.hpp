@@ -19,7 +19,7 @@ class SimulatedBodies {
   const BodySystem& system() const noexcept { return colliders_->bodies(); }
   const BodiesState& state() const noexcept { return state_; }
   double thickness() const noexcept { return response_.thickness(); }
-  BodyEnergies energies() const { return system().energies(state_.bodies); }
+  Energies energies() const { return system().energies(state_.bodies); }
 
   /// The results of steps have their contacts from now on.
   void keep_contacts() noexcept { keeps_contacts_ = true; }
@@ -31,7 +31,6 @@ class SimulatedBodies {
   /// at the end only after `take`.
   BodyResult step(const State& start, double h, double end_time, bool may_merge, const System& system,
                   State& next) const;
-  Refusal refusal_of(const BodyResult& result) const;
 
   void take(BodiesState state) { state_ = std::move(state); }
 

@@ -49,19 +49,6 @@ constexpr int kMostHalvingsAtOnce = 6;
 // Fraction of the step: the default of the least substep that a tolerance asks for.
 constexpr double kLeastOfStep = 1.0 / 1024;
 
-Refusal refused_for(Cause cause) {
-  Refusal refusal;
-  refusal.cause = cause;
-  return refusal;
-}
-
-Refusal not_converged(const LargestChange& change, bool with_contacts) {
-  Refusal refusal = refused_for(Cause::not_converged);
-  refusal.largest_change = change;
-  refusal.with_contacts = with_contacts;
-  return refusal;
-}
-
 std::vector<double> waypoint_times(const Scene& scene) {
   std::vector<double> times;
   for (const Particle& particle : scene.particles) {
@@ -141,7 +128,7 @@ Vector3 Simulation::position_of(Index vertex) const {
 Energies Simulation::energies() const {
   Energies sum = sim::energies(system_, state_);
   if (bodies_) {
-    const BodyEnergies of_bodies = bodies_->energies();
+    const Energies of_bodies = bodies_->energies();
     sum.kinetic += of_bodies.kinetic;
     sum.load += of_bodies.load;
   }
@@ -216,7 +203,7 @@ std::vector<SubstepRecord> Simulation::make_substeps(std::optional<State>& befor
       continue;
     }
     refusal = std::get<Refusal>(tried);
-    count(refused_, refusal.cause);
+    ++refused_[static_cast<std::size_t>(refusal.cause)];
     fraction /= 2;
     ++halvings;
     if (refusal.cause == Cause::inaccurate) {
@@ -247,25 +234,25 @@ std::size_t Simulation::waypoints_between(double start, double end) const noexce
 std::variant<SubstepRecord, Refusal> Simulation::try_substep(double h, double end_time) {
   double excess = 0;
   Advance advance = integrate(h, excess);
-  if (!advance.converged) return not_converged(advance.largest_change, false);
+  if (!advance.converged) return Refusal{.largest_change = advance.largest_change};
   const bool may_be_halved =
       narrow_phase_ == NarrowPhase::exact && h > scene_.settings.time_step / kMostSubstepsForEnergy;
-  if (advance.gained_energy && may_be_halved) return refused_for(Cause::gained_energy);
+  if (advance.gained_energy && may_be_halved) return Refusal{Cause::gained_energy};
 
   if (excess > 1 && !is_least(h)) {
-    Refusal refusal = refused_for(Cause::inaccurate);
-    refusal.excess = excess;
-    return refusal;
+    return Refusal{.cause = Cause::inaccurate, .excess = excess};
   }
 
   ResponseResult response = response_.respond({&state_, h, std::move(advance.state), advance.flows});
   times_ += response.times;
-  bool contacts_gained = response.outcome == ResponseResult::Outcome::gained_energy;
-  if (response.outcome != ResponseResult::Outcome::done && (!contacts_gained || may_be_halved)) {
-    return refusal_of(response);
-  }
+  // A gain of energy is let pass in a substep that is too short to be halved again.
+  const auto stands = [&](const std::optional<Refusal>& refused) {
+    return refused && (refused->cause != Cause::gained_energy || may_be_halved);
+  };
+  if (stands(response.refused)) return *response.refused;
+  bool contacts_gained = response.refused.has_value();
   State& next = response.end;
-  if (!next.q.allFinite() || !next.v.allFinite()) return not_converged({}, false);
+  if (!next.q.allFinite() || !next.v.allFinite()) return Refusal{Cause::not_converged};
 
   BodyResult bodies;
   if (kBodies && bodies_) {
@@ -273,22 +260,18 @@ std::variant<SubstepRecord, Refusal> Simulation::try_substep(double h, double en
     const bool may_merge = h <= scene_.settings.time_step / kMostSubstepsForEnergy;
     bodies = bodies_->step(state_, h, end_time, may_merge, system_, next);
     times_ += bodies.times;
-    const bool gained = bodies.outcome == BodyResult::Outcome::gained_energy;
-    if (bodies.outcome != BodyResult::Outcome::done && (!gained || may_be_halved)) return bodies_->refusal_of(bodies);
+    if (stands(bodies.refused)) return *bodies.refused;
     if (bodies.strains_gain && h > scene_.settings.time_step / kMostSubstepsForStrains) {
-      return refused_for(Cause::gained_energy);
+      return Refusal{Cause::gained_energy};
     }
-    contacts_gained |= gained || bodies.strains_gain;
+    contacts_gained |= bodies.refused.has_value() || bodies.strains_gain;
   }
-  if (kCloth && !within_stretch_limits(system_, next.q)) return refused_for(Cause::overstretched);
+  if (kCloth && !within_stretch_limits(system_, next.q)) return Refusal{Cause::overstretched};
 
   std::vector<Crossing> crossings;
   const StepProof proof = prove(next, h, crossings);
   if (!crossings.empty() && narrow_phase_ == NarrowPhase::exact) {
-    Refusal refusal = refused_for(Cause::not_certified);
-    refusal.pair = crossings.front().pair;
-    refusal.point = crossings.front().point;
-    return refusal;
+    return Refusal{Cause::not_certified, crossings.front().pair, crossings.front().point};
   }
   crossings_.insert(crossings_.end(), crossings.begin(), crossings.end());
   next.time = end_time;
@@ -298,10 +281,7 @@ std::variant<SubstepRecord, Refusal> Simulation::try_substep(double h, double en
   if (kBodies && bodies_) bodies_->take(std::move(bodies.end));
   if (measures_flows_) {
     record.flows = response.flows;
-    if (kBodies && bodies_) {
-      const BodyFlows& f = bodies.flows;
-      record.flows += {f.driven, f.drag, 0, f.friction, f.impacts, f.corrections};
-    }
+    record.flows += bodies.flows;
     record.numerical = energies().total() - energy_before - record.flows.total();
   }
   record.step = steps_;
@@ -343,23 +323,6 @@ bool Simulation::is_least(double h) const noexcept {
   const Settings& settings = scene_.settings;
   const double least = settings.least_step > 0 ? settings.least_step : kLeastOfStep * settings.time_step;
   return h < 2 * least * (1 - 1e-9);  // substeps are rounded
-}
-
-Refusal Simulation::refusal_of(const ResponseResult& response) const {
-  switch (response.outcome) {
-    case ResponseResult::Outcome::not_converged: return not_converged(response.largest_change, true);
-    case ResponseResult::Outcome::not_resolved: {
-      Refusal refusal = refused_for(Cause::not_resolved);
-      if (response.left) {
-        refusal.pair = response.left->pair;
-        refusal.point = contact_point(*response.left, state_.q);
-      }
-      return refusal;
-    }
-    case ResponseResult::Outcome::done:
-    case ResponseResult::Outcome::gained_energy: break;
-  }
-  return refused_for(Cause::gained_energy);
 }
 
 /// Looks at the positions as they are stored, and finds its own candidates.

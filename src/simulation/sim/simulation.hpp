@@ -137,7 +137,6 @@ class Simulation {
   Advance integrate(double h, double& excess);
   /// Whether the tolerance asks for no shorter substep.
   bool is_least(double h) const noexcept;
-  Refusal refusal_of(const ResponseResult& response) const;
   StepProof prove(const State& end, double h, std::vector<Crossing>& crossings);
 
   linear::Cancellation cancel_;
@@ -158,7 +157,7 @@ class Simulation {
   StartFindings start_;
   std::uint64_t steps_ = 0;
   std::vector<Crossing> crossings_;
-  RefusedCounts refused_;
+  RefusedCounts refused_{};
   PhaseTimes times_;
 };
 
