@@ -5,6 +5,7 @@
 #include "cli/audit/audit.hpp"
 #include "cli/shared/command_line/common_options.hpp"
 #include "cli/shared/command_line/kind_check.hpp"
+#include "cli/shared/command_line/output_names.hpp"
 #include "cli/shared/words.hpp"
 #include "families/families.hpp"
 #include "geometry/kind_aliases.hpp"
@@ -27,7 +28,7 @@ void add_audit(CLI::App& program, Command& command) {
       ->required();
   subcommand->add_option("--html", options->html, "A page with the table and a moving picture of each finding")
       ->type_name("PAGE.html")
-      ->check(page_name());
+      ->check(named_as(Output::page));
   subcommand
       ->add_option("--engine", options->commands,
                    "One more engine, whose program describes itself; without other names it alone is asked")
