@@ -58,9 +58,9 @@ class FullChecker : public Checker {
   /// @returns the number of steps
   std::size_t check_steps(MotionPairs& motion, const std::string& name) {
     std::size_t step = 0;
-    frames_.compare(motion, 0);
+    frames_.check_frame(motion, 0);
     do {
-      frames_.compare(motion, 1);
+      frames_.check_frame(motion, 1);
       const std::string step_name = "step " + std::to_string(step);
       if (words_ != Words{"step", std::to_string(step)}) throw expected("\"" + step_name + "\" of " + name);
       next();

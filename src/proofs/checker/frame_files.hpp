@@ -23,7 +23,7 @@ class FrameFiles {
   /// @param end  0 for the first frame of the step, 1 for the second one
   /// @throws Rejected unless that frame is its files, bit by bit, with all of their triangles, lines and points, and
   /// the sides and corners of these, among the elements
-  void compare(const MotionFile& motion, std::size_t end) {
+  void check_frame(const MotionFile& motion, std::size_t end) {
     if (empty()) return;
     const std::size_t frame = motion.frame_count() - 2 + end;
     if (motion.body_count() > 0) throw Rejected("a motion with bodies has poses; --frames compares vertices");
@@ -35,7 +35,8 @@ class FrameFiles {
       const std::string& file = sequence.files[is_at_rest(sequence) ? 0 : frame];
       if (sequence.name != file) sequence.mesh = read_mesh(file);
       sequence.name = file;
-      compare(motion.coordinates(end), elements, sequence, first, file + " and frame " + std::to_string(frame) + ": ");
+      check_sequence(motion.coordinates(end), elements, sequence, first,
+                     file + " and frame " + std::to_string(frame) + ": ");
       first += static_cast<std::uint32_t>(sequence.mesh.positions.size() / 3);
     }
     const std::string what = "frame " + std::to_string(frame) + ": ";
@@ -82,14 +83,14 @@ class FrameFiles {
   }
   bool is_at_rest(const Sequence& sequence) const { return sequences_.size() > 1 && sequence.files.size() == 1; }
 
-  static void compare(const std::vector<Number>& coordinates, const Elements& elements, const Sequence& sequence,
-                      std::uint32_t first, const std::string& what) {
+  static void check_sequence(const std::vector<Number>& coordinates, const Elements& elements, const Sequence& sequence,
+                             std::uint32_t first, const std::string& what) {
     const MeshFile& mesh = sequence.mesh;
     const std::size_t begin = 3 * std::size_t{first}, end = begin + mesh.positions.size();
     require(end <= coordinates.size(), what + std::to_string(mesh.positions.size() / 3) + " vertices, and " +
                                            std::to_string((coordinates.size() - begin) / 3));
     for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
-      require(checker::compare(mesh.positions[i], coordinates[begin + i]) == 0,
+      require(compare(mesh.positions[i], coordinates[begin + i]) == 0,
               what + "the coordinates of vertex " + std::to_string(i / 3) + ", counted from 0, differ");
     }
     for (std::size_t i = 0; i < mesh.faces.size(); ++i) {
