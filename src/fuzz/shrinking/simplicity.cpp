@@ -19,20 +19,6 @@ constexpr std::int64_t kSign = 1;
 constexpr std::int64_t kDigit = 2;
 constexpr std::int64_t kFractionDigit = 6;  // for each place after the point
 
-std::int64_t difficulty(double x) noexcept {
-  const std::int64_t sign = std::signbit(x) ? kSign : 0;
-  if (x == 0) return sign;
-  int exponent = 0;
-  const double significand = std::frexp(std::fabs(x), &exponent);
-  auto digits = static_cast<std::uint64_t>(std::ldexp(significand, 53));  // |x| = digits 2^(exponent - 53)
-  const int zeros = std::countr_zero(digits);
-  digits >>= zeros;
-  const int last_bit = exponent - 53 + zeros;
-  const std::int64_t length = std::bit_width(digits) - 1;
-  if (last_bit < 0) return sign + 1 + kDigit * length - kFractionDigit * last_bit;
-  return sign + 1 + kDigit * (length + last_bit);
-}
-
 bool same_bits(const Vec3& a, const Vec3& b) noexcept {
   const auto bits = [](double x) { return std::bit_cast<std::uint64_t>(x); };
   return bits(a.x) == bits(b.x) && bits(a.y) == bits(b.y) && bits(a.z) == bits(b.z);
@@ -47,6 +33,20 @@ std::int64_t of_corner(const std::array<Vec3, 4>& corners, std::size_t i) noexce
 }
 
 }  // namespace
+
+std::int64_t difficulty(double x) noexcept {
+  const std::int64_t sign = std::signbit(x) ? kSign : 0;
+  if (x == 0) return sign;
+  int exponent = 0;
+  const double significand = std::frexp(std::fabs(x), &exponent);
+  auto digits = static_cast<std::uint64_t>(std::ldexp(significand, 53));  // |x| = digits 2^(exponent - 53)
+  const int zeros = std::countr_zero(digits);
+  digits >>= zeros;
+  const int last_bit = exponent - 53 + zeros;
+  const std::int64_t length = std::bit_width(digits) - 1;
+  if (last_bit < 0) return sign + 1 + kDigit * length - kFractionDigit * last_bit;
+  return sign + 1 + kDigit * (length + last_bit);
+}
 
 std::int64_t difficulty(const Query& query) noexcept {
   std::int64_t sum = 0;

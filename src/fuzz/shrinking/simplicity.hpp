@@ -14,6 +14,8 @@ namespace touchstone::fuzz {
 /// distinct absolute value costs a little.
 std::int64_t difficulty(const Query& query) noexcept;
 
+std::int64_t difficulty(double x) noexcept;  ///< of one number
+
 /// The same for corners and motions. Corners at rest are simplest, then those on bodies, then those on curves.
 std::int64_t difficulty(const CurvedQuery& query);
 

@@ -1,0 +1,44 @@
+// Answers about whole bodies, judged by the exact answers to all pairs of their elements.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <touchstone/bodies.hpp>
+#include <touchstone/fuzz.hpp>
+
+#include "families/body_scenes.hpp"
+
+namespace touchstone::fuzz {
+
+/// What is answered about bodies in a step.
+struct BodyReply {
+  FirstBodyContact first;
+  std::vector<BodyContact> all;
+  std::vector<BodyPair> candidates;
+  FreeBodyStep step;
+};
+
+/// The function under test. The start is to be asked about, too.
+using BodySolver = std::function<BodyReply(const Bodies&, const std::vector<RigidMotion>&)>;
+
+/// The answers of the library.
+BodyReply library_reply(const Bodies& bodies, const std::vector<RigidMotion>& motions);
+
+/// What is wrong with a reply.
+struct BodyFailure {
+  FuzzFailure failure = FuzzFailure::missed;
+  std::string question;  ///< "first contact", "all contacts", "candidates", "free step", "start"
+  std::string detail;    ///< the pair and the times, for a person
+};
+
+/// Asks, and compares with `solve` by Method::exact for each pair of elements by itself: no box and no tree is used.
+/// Whether a vertex is inside another body's closed surfaces is told by how often a ray from it meets them.
+/// @return nothing when all of it is right
+/// @throws InvalidQuery, InvalidMesh  for a scene without meaning
+std::optional<BodyFailure> judge_bodies(const families::BodyScene& scene, const BodySolver& solver);
+
+}  // namespace touchstone::fuzz
