@@ -86,7 +86,7 @@ struct touchstone_options {
    *  then be of such numbers, too. */
   int32_t float32;
 
-  /** Of first contacts and free steps: 1 to ask also whether the mesh intersects itself at the start, or the bodies each
+  /** Of first contacts and free steps: 1 to ask also whether the mesh intersects itself at the start, or bodies each
    *  other, 0 to leave that out. A step is about a start that is free: where one element passes through another at the
    *  start, or a body is inside another, and no pair touches, no contact need follow. */
   int32_t check_start;
