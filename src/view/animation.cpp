@@ -33,6 +33,11 @@ std::size_t AnimationShape::vertex_count() const noexcept {
   return count;
 }
 
+AnimationElement AnimationShape::element(std::size_t group, MeshElement sort, std::uint32_t number) const noexcept {
+  for (std::size_t g = 0; g < group; ++g) number += groups[g].count(sort);
+  return {sort, number};
+}
+
 Animation::Animation(AnimationShape shape, std::vector<AnimationPlot> plots, const AnimationLimits& limits)
     : shape_(std::move(shape)), plots_(std::move(plots)), limits_(limits) {
   const std::size_t vertices = shape_.vertex_count();
@@ -105,9 +110,7 @@ std::string Animation::name(const AnimationElement& element) const {
   using Sort = MeshElement;
   std::uint32_t number = element.number, first_vertex = 0;
   for (const AnimationGroup& group : shape_.groups) {
-    const std::uint32_t count = element.sort == Sort::edge   ? group.edges
-                                : element.sort == Sort::face ? group.faces
-                                                             : group.vertices;
+    const std::uint32_t count = group.count(element.sort);
     if (number >= count) {
       number -= count;
       first_vertex += group.vertices;

@@ -19,11 +19,24 @@ namespace touchstone::view {
 
 using Triple = std::array<double, 3>;
 
+/// The numbers count over all groups.
+struct AnimationElement {
+  MeshElement sort = MeshElement::vertex;
+  std::uint32_t number = 0;
+
+  auto operator<=>(const AnimationElement&) const = default;
+};
+using AnimationPair = std::pair<AnimationElement, AnimationElement>;
+
 /// Vertices, edges and faces that are counted by themselves. The groups of an animation follow one another.
 struct AnimationGroup {
   std::string name;  ///< text, "body 2"; empty: names of elements do without
   std::uint32_t vertices = 0, edges = 0, faces = 0;
   std::uint32_t first_number = 0;  ///< of the first vertex and the first face
+
+  std::uint32_t count(MeshElement sort) const noexcept {
+    return sort == MeshElement::edge ? edges : sort == MeshElement::face ? faces : vertices;
+  }
 };
 
 /// Corners are numbers of vertices over all groups. The edges of faces are there, too, where they are elements.
@@ -39,16 +52,10 @@ struct AnimationShape {
   std::size_t vertex_count() const noexcept;
   /// The numbers of the edges that are no border of a face: cables and wires.
   std::vector<std::uint32_t> edges_without_face() const;
-};
 
-/// The numbers count over all groups.
-struct AnimationElement {
-  MeshElement sort = MeshElement::vertex;
-  std::uint32_t number = 0;
-
-  auto operator<=>(const AnimationElement&) const = default;
+  /// The element of a group that has this number in it.
+  AnimationElement element(std::size_t group, MeshElement sort, std::uint32_t number) const noexcept;
 };
-using AnimationPair = std::pair<AnimationElement, AnimationElement>;
 
 /// How a pair is marked.
 enum class MarkSort : std::uint8_t { close, contact, crossing };

@@ -1,4 +1,4 @@
-// touchstone bodies: the proofs that it writes.
+// touchstone bodies: proofs, pages and distances.
 // SPDX-License-Identifier: MIT
 #include <filesystem>
 #include <nlohmann/json.hpp>
@@ -86,6 +86,57 @@ TEST_CASE("bodies --prove: separations; what has no proof is refused, and nothin
           "poses.csv: 0 -> 1: by the signs of its quaternions body 'bar' turns by more than 180 degrees",
           std::string(kHeader) + "0,bar,0,0,0,1,0,0,0\n1,bar,0,0,0,-0.1,0,0,0.9949874371066200\n");
   refused({}, "poses.csv:2: x is 'a'", std::string(kHeader) + "0,bar,a,0,0,1,0,0,0\n");
-  check_refused(scene.run(BarAndWall::quarter_turn("1.625"), {"--prove", scene.folder.path("max")}),
-                "max: holds ");
+  check_refused(scene.run(BarAndWall::quarter_turn("1.625"), {"--prove", scene.folder.path("max")}), "max: holds ");
+}
+
+TEST_CASE("bodies --html: the page has the bodies, and what was found") {
+  const BarAndWall scene;
+  const std::string page = scene.folder.path("page.html");
+  const Run run = scene.run(BarAndWall::quarter_turn("1.625"), {"--html", page});
+  CHECK(run.status == 1);
+  CHECK(occurrences(run.out, "animation in " + page + ", ") == 1);
+  const std::string text = scene.folder.read("page.html");
+  CHECK(occurrences(text, "<title>2 bodies, time 0 to 2") == 1);
+  CHECK(occurrences(text, R"("parts":[{"edges":18,"faces":12,"firstNumber":1,"name":"bar","vertices":8})") == 1);
+  // Nine pictures of ten degrees each, the start, and one of the first contact, to which all three marks belong.
+  CHECK(occurrences(text, R"(id="frame-10")") == 1);
+  CHECK(occurrences(text, R"(id="frame-11")") == 0);
+  CHECK(occurrences(text, R"("heading":"time 0.713745: edge )") == 1);
+  CHECK(occurrences(text, R"("heading":"time 0.713745: )") == 3);
+  CHECK(occurrences(text, "<pre>query,1\nmotion,0,") == 3);
+  CHECK(occurrences(text, "[[0.0,0.0,0.0,0.0,3.0,") == 1);  // the plot of contacts
+
+  // Bodies that pierce each other at the start; one of them has a name that is no text of a page.
+  const std::string odd = scene.folder.write("<b>.obj", box_obj(1, 1, 1)),
+                    poses = scene.folder.write("odd.csv",
+                                               std::string(kHeader) + "0,<b>,0,0,0,1,0,0,0\n1,<b>,0,9,0,1,0,0,0\n");
+  const Run pierced = run_program({"bodies", odd, scene.wall, "--poses", poses, "--html", page});
+  CHECK(pierced.status == 1);
+  const std::string again = scene.folder.read("page.html");
+  CHECK(occurrences(again, "<b>") == 0);
+  CHECK(occurrences(again, "pierces face") > 0);
+
+  check_refused(scene.run(BarAndWall::quarter_turn("1.625"), {"--html", "-"}), "--html");
+  check_refused(scene.run(BarAndWall::quarter_turn("1.625"), {"--html", page, "--free-step", page}),
+                "which another option names too");
+  check_refused(scene.run(BarAndWall::quarter_turn("1.625"), {"--html", scene.folder.path("none/p.html")}),
+                "none/p.html");
+}
+
+TEST_CASE("bodies --clearance: the least distance in each recorded pose") {
+  const BarAndWall scene;
+  const Run run = scene.run(BarAndWall::quarter_turn("1.625"), {"--clearance", "--json"});
+  CHECK(run.status == 1);
+  const auto step = nlohmann::json::parse(run.out);
+  CHECK(step["clearance"][0] == 0.375);
+  CHECK(double(step["clearance"][1]) == Approx(0.375));
+  CHECK(occurrences(run.err, "; least distance 0.375 at time 0: edge ") == 1);
+  CHECK(occurrences(run.err, " of bar and ") == 1);
+  CHECK(occurrences(run.err, "; the least distance between recorded poses was not asked; ") == 1);
+  const Run max = scene.run(BarAndWall::quarter_turn("1.6875"), {"--clearance", "--metric", "max"});
+  CHECK(max.status == 0);
+  CHECK(occurrences(max.out, " in the max metric at time ") == 1);
+  const Run pierced = scene.run(BarAndWall::quarter_turn("0"), {"--clearance"});
+  CHECK(occurrences(pierced.out, "; least distance 0 at time 0: ") == 1);
+  check_refused(scene.run(BarAndWall::quarter_turn("9"), {"--metric", "max"}), "--separation or --clearance");
 }

@@ -8,14 +8,17 @@
 #include <touchstone/curved.hpp>
 #include <touchstone/error.hpp>
 
+#include "cli/bodies/body_animation.hpp"
 #include "cli/bodies/body_files.hpp"
 #include "cli/bodies/body_results.hpp"
+#include "cli/shared/animation_file.hpp"
 #include "cli/shared/command_line/common_options.hpp"
 #include "cli/shared/command_line/mesh_file_options.hpp"
 #include "cli/shared/progress/pipeline.hpp"
 #include "cli/shared/progress/stoppable.hpp"
 #include "cli/shared/progress/waiting_line.hpp"
 #include "cli/shared/proofs/motion_proofs.hpp"
+#include "cli/shared/words.hpp"
 #include "io/fail.hpp"
 #include "numbers/roots/vanishing.hpp"
 
@@ -24,9 +27,11 @@ namespace touchstone::cli {
 namespace {
 
 void check_outputs(const BodiesRunOptions& options, std::vector<std::string> inputs) {
+  if (options.html == "-") throw Error("--html: name a file to write");
   if (options.free_step == "-") throw Error("--free-step: name a file to write");
   std::vector<std::pair<std::string, std::string>> outputs;
   if (!options.free_step.empty()) outputs.emplace_back("--free-step", options.free_step);
+  if (!options.html.empty()) outputs.emplace_back("--html", options.html);
   MotionProofs::add_files(options.prove, outputs);
   inputs.push_back(options.poses);
   check_mesh_outputs(outputs, inputs);
@@ -83,6 +88,12 @@ int run_bodies(const BodiesRunOptions& options) {
     proofs.emplace(options.prove, motion_elements(files.bodies()), files.bodies().separation, how.threads);
   }
   proofs::MotionFrame frame;
+  std::optional<io::OutputFile> page;
+  std::optional<BodyAnimation> animation;
+  if (!options.html.empty()) {
+    page.emplace(options.html);
+    animation.emplace(files, poses);
+  }
   BodyResults results(options, files, poses);
 
   how.stop = &interruption();
@@ -115,6 +126,16 @@ int run_bodies(const BodiesRunOptions& options) {
       frame = frame_after(frame, motions);
       proofs->add(frame);
     }
+    if (animation) animation->add(motions, found.first_contact);
+    if (options.clearance) {
+      const auto ask = [&](std::size_t time) {
+        std::vector<Pose> at_rest(count);
+        for (std::size_t body = 0; body < count; ++body) at_rest[body] = poses.at(body, time);
+        results.add_clearance(stoppable([&] { return distance(files.bodies(), at_rest, how); }));
+      };
+      if (step == 0) ask(0);
+      ask(step + 1);
+    }
     waiting.end();
     if (found.first_contact.excluded == count * (count - 1) / 2) {
       throw Error("--ignore and --only-between leave no pair of bodies to ask about");
@@ -123,7 +144,13 @@ int run_bodies(const BodiesRunOptions& options) {
     how.check_start = !found.first_contact.free();  // a free step from a free start ends free
   }
   if (proofs) proofs->commit();
-  const bool all_free = results.finish(proofs ? proofs->summary() : std::string());
+  std::string summary = proofs ? proofs->summary() : std::string();
+  if (animation) {
+    const std::uint64_t size = animation->write(*page, results.verdict());
+    page->commit();
+    summary += animation_summary(options.html, size);
+  }
+  const bool all_free = results.finish(summary);
   return all_free && (!proofs || proofs->contacts() == 0) ? kAllHold : kRefuted;
 }
 

@@ -26,8 +26,10 @@ struct BodiesRunOptions {
   sequence::RepairOptions repairs;
   bool triangulate = false;
   bool check_start = true;  ///< asks about intersections at the start of the first step
+  bool clearance = false;   ///< asks for the least distance in each pose, too
   int threads = 0;          ///< 0: all that the machine has
   bool json = false;        ///< steps as lines of JSON on standard output, the verdict beside it
+  std::string html;         ///< the page to write; empty: none
   std::string prove;        ///< the folder of proofs; empty: none
   std::string free_step;    ///< the table of poses to write at which each step may end; empty: none
 };

@@ -41,6 +41,10 @@ void add_bodies(CLI::App& program, Command& command) {
       "Take the turn that the signs of two quaternions say, which is the longer one where q0 . q1 < 0 (default: the "
       "shorter one, because q and -q are the same orientation)");
   add_separation_options(*subcommand, options->separation, "The distance at which two bodies are in contact");
+  const auto check_metric = add_clearance_option(
+      *subcommand, options->clearance,
+      "Find the least distance of two bodies in each of the recorded poses, too: rounded up to a double, between the "
+      "elements as they are");
   add_pair_options(*subcommand, options->rules,
                    "Ask about these two bodies against each other, and about no other pair: their names, or "
                    "patterns with * ? [. It may be given several times",
@@ -62,6 +66,7 @@ void add_bodies(CLI::App& program, Command& command) {
           "poses. A row a body and step")
       ->type_name("FILE")
       ->check(named_as(Output::csv));
+  add_animation_option(*subcommand, options->html, "the first contacts and the bodies that intersect");
   subcommand
       ->add_option("--prove", options->prove,
                    "Write the bodies and their poses as FOLDER/motion.txt and a proof for each pair of each step as "
@@ -84,7 +89,10 @@ void add_bodies(CLI::App& program, Command& command) {
       "Exit status: 0 every step is free and the bodies do not intersect at the start, 1 otherwise, 2 bad usage or "
       "bad\n"
       "input.");
-  subcommand->callback([=, &command] { command = [options] { return run_bodies(*options); }; });
+  subcommand->callback([=, &command] {
+    check_metric();
+    command = [options] { return run_bodies(*options); };
+  });
 }
 
 }  // namespace touchstone::cli

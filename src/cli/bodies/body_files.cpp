@@ -10,6 +10,7 @@
 #include "cli/shared/progress/interrupt.hpp"
 #include "cli/shared/words.hpp"
 #include "frames/frame.hpp"
+#include "geometry/kind_traits.hpp"
 #include "io/fail.hpp"
 #include "sequence/checks.hpp"
 #include "sequence/parts/scene_parts.hpp"
@@ -81,6 +82,22 @@ sequence::NamedElement BodyFiles::named(MeshElement sort, const BodyElement& ele
   sequence::NamedElement named = elements_[element.body].element(sort, element.element);
   named.part = sequence::shown_part(names_[element.body]);
   return named;
+}
+
+sequence::PairContact BodyFiles::named(const BodyContact& contact) {
+  const auto& [first, second] = geometry::traits_of(contact.pair.kind);
+  const Answer& answer = contact.answer;
+  return {contact.pair.kind,
+          named(first.sort, contact.pair.first),
+          named(second.sort, contact.pair.second),
+          answer.nature,
+          answer.feature_a,
+          answer.feature_b,
+          answer.trend};
+}
+
+sequence::RestContact BodyFiles::named(const BodyIntersection& one) {
+  return {named(one.first_element, one.first), named(one.second_element, one.second), one.sort};
 }
 
 }  // namespace touchstone::cli

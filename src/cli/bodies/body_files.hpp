@@ -31,6 +31,11 @@ class BodyFiles {
 
   /// An element as its file counts it. Its part is the body.
   sequence::NamedElement named(MeshElement sort, const BodyElement& element);
+  sequence::PairContact named(const BodyContact& contact);
+  sequence::RestContact named(const BodyIntersection& one);
+
+  /// What the file of a body holds.
+  const frames::Topology& topology(std::size_t body) const { return *topologies_[body]; }
 
  private:
   void read(const BodiesRunOptions& options, std::size_t body);

@@ -10,7 +10,6 @@
 #include "cli/shared/command_line/separation_options.hpp"
 #include "cli/shared/mesh_results.hpp"
 #include "cli/shared/words.hpp"
-#include "geometry/kind_traits.hpp"
 #include "io/answers/answer_writer.hpp"
 #include "sequence/parts/part_rules.hpp"
 #include "sequence/results_json.hpp"
@@ -22,11 +21,6 @@ namespace {
 constexpr std::size_t kShownSteps = 10;  // of those that are not free; --json has all
 
 std::string decimal(double value) { return io::number_text(value, io::Numbers::decimals); }
-
-/// A time within a step, rounded.
-double time_at(const RecordedPoses& poses, std::size_t step, double fraction) {
-  return std::lerp(poses.times[step], poses.times[step + 1], fraction);
-}
 
 std::string list_of(const std::array<double, 3>& weights) {
   return fmt::format("[{},{},{}]", decimal(weights[0]), decimal(weights[1]), decimal(weights[2]));
@@ -69,6 +63,19 @@ void BodyResults::write_poses(const FreeBodyStep& found) {
   }
 }
 
+void BodyResults::add_clearance(const BodyDistance& found) {
+  const bool is_least =
+      clearances_.empty() || found.distance < *std::min_element(clearances_.begin(), clearances_.end());
+  if (is_least) {
+    nearest_ = least_distance_for_person(found.distance, files_.bodies().separation.metric);
+    if (std::isfinite(found.distance)) nearest_ += " at time " + decimal(poses_.times[clearances_.size()]);
+    if (!found.pairs.empty()) nearest_ += ": " + pair_for_person(files_.named(found.pairs.front()));
+    if (found.pairs.size() > 1) nearest_ += fmt::format(" and {}", counted(found.pairs.size() - 1, "more pair"));
+    if (found.pairs.empty() && !found.intersections.empty()) nearest_ += ": bodies intersect";
+  }
+  clearances_.push_back(found.distance);
+}
+
 void BodyResults::add(const FreeBodyStep& step, std::size_t longer) {
   const FirstBodyContact& found = step.first_contact;
   if (free_step_) write_poses(step);
@@ -81,7 +88,7 @@ void BodyResults::add(const FreeBodyStep& step, std::size_t longer) {
   } else {
     if (first_.empty()) {
       const bool later = found.at_start.empty() && found.start_intersections.empty();
-      first_ = fmt::format("; the first at time {}", decimal(time_at(poses_, steps_, later ? found.toi : 0)));
+      first_ = fmt::format("; the first at time {}", decimal(poses_.time_in(steps_, later ? found.toi : 0)));
     }
     if (!options_.json && shown_++ < kShownSteps) lines_ += lines_of(found);
   }
@@ -92,24 +99,9 @@ void BodyResults::add(const FreeBodyStep& step, std::size_t longer) {
   ++steps_;
 }
 
-sequence::PairContact BodyResults::named(const BodyContact& contact) const {
-  const auto& [first, second] = geometry::traits_of(contact.pair.kind);
-  const Answer& answer = contact.answer;
-  return {contact.pair.kind,
-          files_.named(first.sort, contact.pair.first),
-          files_.named(second.sort, contact.pair.second),
-          answer.nature,
-          answer.feature_a,
-          answer.feature_b,
-          answer.trend};
-}
-
 std::vector<sequence::RestContact> BodyResults::named(const std::vector<BodyIntersection>& found) const {
   std::vector<sequence::RestContact> named;
-  for (const BodyIntersection& one : found) {
-    named.push_back(
-        {files_.named(one.first_element, one.first), files_.named(one.second_element, one.second), one.sort});
-  }
+  for (const BodyIntersection& one : found) named.push_back(files_.named(one));
   return named;
 }
 
@@ -117,7 +109,7 @@ std::string BodyResults::lines_of(const FirstBodyContact& found) const {
   std::string text = step_label(poses_, steps_) + ": ";
   const auto add_pairs = [&](const std::vector<BodyContact>& contacts, const char* indent) {
     for (std::size_t i = 0; i < std::min(kShownPairs, contacts.size()); ++i) {
-      text += fmt::format("{}{}: {}\n", indent, pair_for_person(named(contacts[i])),
+      text += fmt::format("{}{}: {}\n", indent, pair_for_person(files_.named(contacts[i])),
                           contact_for_person(contacts[i].answer));
     }
     text += more_line(contacts.size(), indent);
@@ -125,7 +117,7 @@ std::string BodyResults::lines_of(const FirstBodyContact& found) const {
   const char* indent = "";
   if (found.contact) {
     text += fmt::format("first contact at {} of the step, time {}, {}\n", time_range(found.toi, found.toi_upper),
-                        decimal(time_at(poses_, steps_, found.toi)), counted(found.earliest.size(), "pair"));
+                        decimal(poses_.time_in(steps_, found.toi)), counted(found.earliest.size(), "pair"));
     add_pairs(found.earliest, "  ");
     indent = "  ";
   }
@@ -148,19 +140,26 @@ std::string BodyResults::json_of(const FirstBodyContact& found, std::size_t long
   std::string text = fmt::format(
       "{{\"step\":{},\"from\":{},\"to\":{},\"free\":{},\"longer_turns\":{},\"start_asked\":{}", steps_,
       decimal(poses_.times[steps_]), decimal(poses_.times[steps_ + 1]), found.free(), longer, found.start_checked);
+  if (!clearances_.empty()) {
+    const auto clearance = [&](std::size_t time) {
+      return std::isfinite(clearances_[time]) ? decimal(clearances_[time]) : std::string("null");
+    };
+    text += fmt::format(",\"clearance\":[{},{}]", clearance(steps_), clearance(steps_ + 1));
+  }
   const auto list = [&](const char* key, const std::vector<BodyContact>& contacts) {
     text += fmt::format(",\"{}\":[", key);
     for (const BodyContact& contact : contacts) {
       if (&contact != &contacts.front()) text += ',';
       const Answer& answer = contact.answer;
-      text += sequence::contact_json(named(contact), fmt::format(",\"weights_a\":{},\"weights_b\":{}",
-                                                                 list_of(answer.weights_a), list_of(answer.weights_b)));
+      text += sequence::contact_json(
+          files_.named(contact),
+          fmt::format(",\"weights_a\":{},\"weights_b\":{}", list_of(answer.weights_a), list_of(answer.weights_b)));
     }
     text += "]";
   };
   if (!found.free()) {
     const auto number = [&](double value) { return found.contact ? decimal(value) : std::string("null"); };
-    const auto time = [&](double fraction) { return number(found.contact ? time_at(poses_, steps_, fraction) : 0); };
+    const auto time = [&](double fraction) { return number(found.contact ? poses_.time_in(steps_, fraction) : 0); };
     text += fmt::format(",\"toi\":{},\"toi_upper\":{},\"time\":{},\"time_upper\":{}", number(found.toi),
                         number(found.toi_upper), time(found.toi), time(found.toi_upper));
     list("first", found.earliest);
@@ -230,6 +229,7 @@ std::string BodyResults::verdict() const {
   const Separation& separation = files_.bodies().separation;
   if (separation.distance > 0) text += "; " + separation_for_person(separation);
   text += ")";
+  if (!nearest_.empty()) text += "; " + nearest_ + "; the least distance between recorded poses was not asked";
   for (const std::string& one : left_out()) text += "; " + one;
   return text + "\n";
 }

@@ -24,9 +24,15 @@ class BodyResults {
   /// Opens the files, so that one that cannot be written is found before the run. @throws FileError
   BodyResults(const BodiesRunOptions& options, BodyFiles& files, const RecordedPoses& poses);
 
+  /// The least distance at the next recorded time. Those of a step's ends come before the step.
+  void add_clearance(const BodyDistance& found);
+
   /// The next step. Its first contact is all that counts without --free-step.
   /// @param longer  how many bodies take the longer of two turns by the signs of their recorded quaternions
   void add(const FreeBodyStep& step, std::size_t longer);
+
+  /// What was found, and all that it leaves out: a line.
+  std::string verdict() const;
 
   /// Writes the verdict and what belongs to it. @param more  lines for its end  @returns whether every step is free
   bool finish(const std::string& more);
@@ -35,10 +41,8 @@ class BodyResults {
   void write_poses(const FreeBodyStep& step);
   std::string lines_of(const FirstBodyContact& found) const;
   std::string json_of(const FirstBodyContact& found, std::size_t longer) const;
-  std::string verdict() const;
   std::vector<std::string> left_out() const;
 
-  sequence::PairContact named(const BodyContact& contact) const;
   std::vector<sequence::RestContact> named(const std::vector<BodyIntersection>& found) const;
 
   const BodiesRunOptions& options_;
@@ -47,6 +51,8 @@ class BodyResults {
   io::OutputFile console_;
   std::optional<io::OutputFile> free_step_;
 
+  std::vector<double> clearances_;  ///< by time
+  std::string nearest_;             ///< what is said of the least of them in the verdict
   std::size_t steps_ = 0, free_ = 0;
   std::size_t shown_ = 0;                    ///< of the steps that are not free
   std::string lines_;                        ///< of those

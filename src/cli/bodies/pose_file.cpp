@@ -253,6 +253,10 @@ std::size_t RecordedPoses::at_rest() const noexcept {
       std::count_if(bodies.begin(), bodies.end(), [](const auto& one) { return one.empty(); }));
 }
 
+double RecordedPoses::time_in(std::size_t step, double fraction) const noexcept {
+  return std::lerp(times[step], times[step + 1], fraction);
+}
+
 Pose RecordedPoses::at(std::size_t body, std::size_t time) const {
   return bodies[body].empty() ? Pose() : bodies[body][time];
 }

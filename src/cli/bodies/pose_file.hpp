@@ -21,6 +21,9 @@ struct RecordedPoses {
   std::uint64_t not_unit_row = 0;   ///< the row of the first of them
   std::vector<std::string> unread;  ///< the names of columns that say nothing about poses
 
+  /// A time within a step, rounded.
+  double time_in(std::size_t step, double fraction) const noexcept;
+
   std::size_t at_rest() const noexcept;
   /// The pose of a body at a time; of a body at rest, that of its own frame.
   Pose at(std::size_t body, std::size_t time) const;

@@ -70,23 +70,6 @@ Triple at(const frames::Frame& frame, std::uint64_t vertex) {
   return {x[0], x[1], dimension == 3 ? x[2] : 0};
 }
 
-/// Where an edge meets the plane of a face, about: for drawing. Its middle without a plane or along one.
-Triple point_of_edge(const Triple& a, const Triple& b, const std::array<Triple, 3>* face) {
-  double t = 0.5;
-  if (face != nullptr) {
-    const auto minus = [](const Triple& x, const Triple& y) { return Triple{x[0] - y[0], x[1] - y[1], x[2] - y[2]}; };
-    const Triple u = minus((*face)[1], (*face)[0]), w = minus((*face)[2], (*face)[0]);
-    const Triple n{u[1] * w[2] - u[2] * w[1], u[2] * w[0] - u[0] * w[2], u[0] * w[1] - u[1] * w[0]};
-    const auto height = [&](const Triple& x) {
-      const Triple d = minus(x, (*face)[0]);
-      return n[0] * d[0] + n[1] * d[1] + n[2] * d[2];
-    };
-    const double from = height(a), to = height(b);
-    if (std::isfinite(from - to) && from != to) t = std::clamp(from / (from - to), 0.0, 1.0);
-  }
-  return {a[0] + t * (b[0] - a[0]), a[1] + t * (b[1] - a[1]), a[2] + t * (b[2] - a[2])};
-}
-
 }  // namespace
 
 MeshAnimation::MeshAnimation(const Mesh& mesh, std::shared_ptr<const frames::Topology> topology,
@@ -151,18 +134,16 @@ void MeshAnimation::add_intersections(const std::vector<sequence::RestContact>& 
                                       const frames::Frame& frame) {
   intersections_ += found.size();
   for (const sequence::RestContact& contact : found) {
-    std::array<Triple, 3> first{}, second{};
+    std::vector<Triple> first, second;
     std::string corners;
     for (const auto& [named, points] : {std::pair{&contact.first, &first}, std::pair{&contact.second, &second}}) {
       for (std::size_t i = 0; i < named->corner_count(); ++i) {
         const Triple x = at(frame, vertex(*named, i));
-        (*points)[i] = x;
+        points->push_back(x);
         corners += exact_corner(fmt::format("vertex {}", named->vertices[i]), {x[0], x[1], x[2]});
       }
     }
-    const bool is_edge = contact.first.element == MeshElement::edge;
-    const bool has_plane = contact.second.element == MeshElement::face;
-    const Triple point = is_edge ? point_of_edge(first[0], first[1], has_plane ? &second : nullptr) : first[0];
+    const Triple point = view::meeting_point(first, second);
     const auto pair = animation_.pair({element(contact.first), element(contact.second)});
     const auto time = static_cast<double>(number);
     animation_.add_mark({time, point, pair, view::MarkSort::crossing});

@@ -78,8 +78,8 @@ void add_mesh(CLI::App& program, Command& command) {
                      "meshes with a vertex for each face. The first frame says which. Objects and groups are parts");
   add_separation_options(*subcommand, options->separation, "The distance at which two elements are in contact");
   CLI::Option* const separation = subcommand->get_option("--separation")->excludes(check);
-  CLI::Option* const clearance = subcommand->add_flag(
-      "--clearance", options->clearance,
+  const auto check_metric = add_clearance_option(
+      *subcommand, options->clearance,
       "Find the least distance of two elements in each step, too, or at rest with --check: rounded up "
       "to a double, between the elements as they are. Elements of one part count that share no vertex");
   subcommand
@@ -87,8 +87,6 @@ void add_mesh(CLI::App& program, Command& command) {
                  "Say how each two parts lie to each other, too: touching, overlapping, one inside the other, the same "
                  "or, where one has no inside, crossing. The other pairs are clear of each other")
       ->needs(check);
-  CLI::Option* const metric = subcommand->get_option("--metric");
-  metric->remove_needs(separation);  // one of two is needed
   add_pair_options(*subcommand, options->parts,
                    "Ask about these two parts against each other, and about nothing else: objects or groups of the "
                    "file, or patterns with * ? [. A,A asks about pairs within A. It may be given several times",
@@ -206,7 +204,7 @@ void add_mesh(CLI::App& program, Command& command) {
       "Exit status: 0 every step is free and the first frame does not intersect itself (--check: no frame does), 1\n"
       "otherwise, 2 bad usage or bad input.");
   subcommand->callback([=, &command] {
-    if (*metric && !*separation && !*clearance) throw CLI::RequiresError("--metric", "--separation or --clearance");
+    check_metric();
     command = [options] { return run_mesh(*options); };
   });
 }

@@ -29,6 +29,16 @@ void add_pair_options(CLI::App& subcommand, sequence::PartOptions& parts, const 
   }
 }
 
+std::function<void()> add_clearance_option(CLI::App& subcommand, bool& clearance, const std::string& about) {
+  CLI::Option* const separation = subcommand.get_option("--separation");
+  CLI::Option* const metric = subcommand.get_option("--metric");
+  const CLI::Option* const found = subcommand.add_flag("--clearance", clearance, about);
+  metric->remove_needs(separation);
+  return [=] {
+    if (*metric && !*separation && !*found) throw CLI::RequiresError("--metric", "--separation or --clearance");
+  };
+}
+
 void check_mesh_outputs(const std::vector<std::pair<std::string, std::string>>& outputs,
                         std::vector<std::string> inputs) {
   for (std::size_t i = 0, count = outputs.empty() ? 0 : inputs.size(); i < count; ++i) {

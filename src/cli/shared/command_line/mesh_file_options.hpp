@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <functional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -21,6 +22,11 @@ void add_repair_options(CLI::App& subcommand, sequence::RepairOptions& repairs, 
 /// @param only, ignore  the sentences about them
 void add_pair_options(CLI::App& subcommand, sequence::PartOptions& parts, const std::string& only,
                       const std::string& ignore);
+
+/// --clearance, after --separation and --metric: with it, --metric needs no --separation.
+/// @param about  the sentence about it
+/// @returns the check that --metric has one of both, for the callback of the command
+std::function<void()> add_clearance_option(CLI::App& subcommand, bool& clearance, const std::string& about);
 
 /// @param outputs  the options that name a file to write, and these names
 /// @param inputs   files of meshes, beside which other ones may be read
