@@ -63,8 +63,8 @@ proofs::MotionElements motion_elements(const Bodies& bodies) {
   return elements;
 }
 
-/// The poses at the end of a step. A motion has one pose of a body in a frame: where the step before ended with -q, this
-/// one goes from there, with the other sign at its end, too. That is the same motion.
+/// The poses at the end of a step. A motion has one pose of a body in a frame: where the step before ended with -q,
+/// this one goes from there, with the other sign at its end, too. That is the same motion.
 proofs::MotionFrame frame_after(const proofs::MotionFrame& frame, const std::vector<RigidMotion>& motions) {
   proofs::MotionFrame next;
   for (std::size_t body = 0; body < motions.size(); ++body) {
