@@ -329,3 +329,21 @@ def test_pickles_and_copies():
     again = pickle.loads(pickle.dumps(bodies))
     assert same(again.free_step(start, end, quaternion="wxyz"), step)
     assert len(pickle.dumps(ts.Bodies([a] * 100))) < 2 * len(pickle.dumps(a)), "a body is written once"
+
+
+def test_the_distance_of_bodies_at_rest():
+    bodies = ts.Bodies([box(1, 1, 1), box(.5, .5, .5)])
+    apart = poses(AT_REST, [3, 0, 0, 1, 0, 0, 0])
+    found = bodies.distance(apart, quaternion="wxyz")
+    assert found.distance == 1.5 and len(found.pairs) > 0 and len(found.intersections) == 0
+    assert set(found.pairs.separation) == {1.5} and all(found.pairs.answers.contact)
+    assert repr(found) == f"<BodyDistance: 1.5, {len(found.pairs)} pairs, 0 intersections>"
+    assert pickle.loads(pickle.dumps(found)).distance == 1.5
+    many = bodies.distance(np.stack([apart, apart + [[0] * 7, [1] + [0] * 6]]), quaternion="wxyz", threads=0)
+    assert [one.distance for one in many] == [1.5, 2.5]
+    inside = bodies.distance(poses(AT_REST, AT_REST), quaternion="wxyz")
+    assert inside.distance == 0 and len(inside.pairs) == 0 and inside.intersections.sort == ["inside"]
+    assert ts.Bodies([box(1, 1, 1), box(1, 1, 1)], metric="max").distance(
+        poses(AT_REST, [5, 4, 0, 1, 0, 0, 0]), quaternion="wxyz").distance == 3
+    with pytest.raises(ValueError):
+        bodies.distance(apart, quaternion="wyxz")

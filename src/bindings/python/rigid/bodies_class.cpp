@@ -16,6 +16,7 @@
 #include "python/rigid/define_bodies.hpp"
 #include "python/rigid/rigid_members.hpp"
 #include "rigid/body_data.hpp"
+#include "rigid/body_search.hpp"
 
 namespace touchstone::python {
 namespace {
@@ -47,6 +48,9 @@ contact_normal(contacts, start, end, *, quaternion, turn='shorter', t_max=1.0, t
     to the second, as touchstone.contact_normal; NaN where there is none
 intersections(poses, *, quaternion, threads=1)
     BodyIntersections: where bodies intersect at rest, exactly; separation and radii do not count
+distance(poses, *, quaternion, threads=1)
+    BodyDistance: the least distance of two bodies at rest and the pairs that have it, exactly, in the bodies' metric;
+    separation and radii do not count
 
 start, end    the poses at t = 0 and t = 1, of shape (k, 7): x, y, z of the body's origin, then the quaternion, of any
               length but 0. (n, k, 7) is n motions of the same bodies, and the result is a list of n results; the other
@@ -244,13 +248,21 @@ void define_questions(py::class_<Bodies>& bound) {
           [](const Bodies& self, py::handle x, py::handle order, py::handle thread_count) {
             const BodySteps rest(self, x, order_of(order));
             return rest.each(thread_count, [&](const AskedMotions& one, const MeshOptions& options) {
-              std::vector<Pose> poses;
-              for (const RigidMotion& motion : one.motions) poses.push_back({motion.q0, motion.p0});
-              return BodyIntersections{intersections(self, poses, options)};
+              return BodyIntersections{intersections(self, rigid::starts_of(one.motions), options)};
             });
           },
           py::arg("poses"), py::kw_only(), quaternion, threads,
-          "Where bodies intersect at rest: BodyIntersections. See Bodies.");
+          "Where bodies intersect at rest: BodyIntersections. See Bodies.")
+      .def(
+          "distance",
+          [](const Bodies& self, py::handle x, py::handle order, py::handle thread_count) {
+            const BodySteps rest(self, x, order_of(order));
+            return rest.each(thread_count, [&](const AskedMotions& one, const MeshOptions& options) {
+              return FoundBodyDistance{distance(self, rigid::starts_of(one.motions), options)};
+            });
+          },
+          py::arg("poses"), py::kw_only(), quaternion, threads,
+          "The least distance of two bodies at rest: a BodyDistance. See Bodies.");
 }
 
 }  // namespace

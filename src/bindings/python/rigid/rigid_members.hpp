@@ -77,4 +77,9 @@ void members(Archive& archive, FoundBodyStep& x) {
   archive(x.outcome, x.length, x.poses, x.first_contact, x.proofs);
 }
 
+template <class Archive>
+void members(Archive& archive, FoundBodyDistance& x) {
+  archive(x.found.distance, x.found.pairs, x.found.intersections, x.found.in_open, x.found.cancelled, x.found.excluded);
+}
+
 }  // namespace touchstone::python

@@ -146,14 +146,20 @@ void define_body_intersections(py::module_& module) {
 
 std::string double_text(double number) { return std::string(py::repr(py::float_(number))); }
 
-/// What a verdict is not about, and what was changed before it: "; start not checked; 1 pair of bodies left out".
+/// What was not asked: "; 1 pair of bodies left out".
+template <class Found>
+std::string left_out_text(const Found& found) {
+  return excluded_text(found.excluded) +
+         count_text(found.in_open, "piece in the box of an open surface", "pieces in the box of an open surface") +
+         count_text(found.cancelled, "piece in a cavity", "pieces in a cavity");
+}
+
+/// The same, and what was changed before the question.
 std::string left_out_text(const FoundBodyContact& self) {
   std::string text;
   if (self.t_max < 1) text += "; only up to " + double_text(self.t_max);
   if (!self.found.start_checked) text += "; start not checked";
-  return text + excluded_text(self.found.excluded) +
-         count_text(self.found.in_open, "piece in the box of an open surface", "pieces in the box of an open surface") +
-         count_text(self.found.cancelled, "piece in a cavity", "pieces in a cavity") + turned_text(self.turned.size());
+  return text + left_out_text(self.found) + turned_text(self.turned.size());
 }
 
 std::string verdict_of(const FoundBodyContact& self) {
@@ -236,6 +242,36 @@ void define_free_body_step(py::module_& module) {
       });
 }
 
+void define_body_distance(py::module_& module) {
+  py::class_<FoundBodyDistance> bound =
+      define_class<FoundBodyDistance>(module, "BodyDistance", "How near bodies come to each other at rest.");
+  define_pickle(bound);
+  bound
+      .def_property_readonly(
+          "distance", [](const FoundBodyDistance& self) { return self.found.distance; },
+          "the least distance, rounded up to a double; 0 where bodies intersect, inf where none may collide")
+      .def_property_readonly(
+          "pairs", [](const FoundBodyDistance& self) { return pairs_of(self.found.pairs, {self.found.excluded, {}}); },
+          "BodyPairs: every pair within this distance")
+      .def_property_readonly(
+          "intersections", [](const FoundBodyDistance& self) { return BodyIntersections{self.found.intersections}; },
+          "BodyIntersections: where bodies intersect")
+      .def_property_readonly(
+          "excluded", [](const FoundBodyDistance& self) { return self.found.excluded; },
+          "how many pairs of bodies the rules left out")
+      .def_property_readonly(
+          "in_open", [](const FoundBodyDistance& self) { return self.found.in_open; },
+          "how many pieces of bodies are in the box around an open surface, which has no inside")
+      .def_property_readonly(
+          "cancelled", [](const FoundBodyDistance& self) { return self.found.cancelled; },
+          "how many pieces are in closed surfaces of opposite orientation, as in a cavity")
+      .def("__repr__", [](const FoundBodyDistance& self) {
+        const BodyDistance& found = self.found;
+        return "<BodyDistance: " + double_text(found.distance) + ", " + std::to_string(found.pairs.size()) +
+               " pairs, " + std::to_string(found.intersections.size()) + " intersections" + left_out_text(found) + ">";
+      });
+}
+
 }  // namespace
 
 BodyPairs pairs_of(const std::vector<BodyContact>& contacts, LeftOut left_out) {
@@ -254,6 +290,7 @@ void define_rigid_results(py::module_& module) {
   define_body_intersections(module);
   define_first_body_contact(module);
   define_free_body_step(module);
+  define_body_distance(module);
 }
 
 }  // namespace touchstone::python

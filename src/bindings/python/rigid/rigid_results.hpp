@@ -1,4 +1,5 @@
-// What questions about whole bodies return to Python: BodyPairs, BodyIntersections, FirstBodyContact, FreeBodyStep.
+// What questions about whole bodies return to Python: BodyPairs, BodyIntersections, FirstBodyContact,
+// FreeBodyStep, BodyDistance.
 // SPDX-License-Identifier: MIT
 #pragma once
 
@@ -54,6 +55,12 @@ struct FoundBodyStep {
   std::vector<std::array<double, 7>> poses;  ///< position and quaternion, in the order of the question
   FoundBodyContact first_contact;
   int proofs = 0;
+};
+
+struct FoundBodyDistance {
+  using BoundToPython = void;
+
+  BodyDistance found;
 };
 
 /// Of them all.

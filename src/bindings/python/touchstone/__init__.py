@@ -30,9 +30,9 @@ a shape or name that does not fit. The message names the argument, and the row w
 Calls run without Python's global lock, and Ctrl-C ends them with KeyboardInterrupt. Do not write to an array while a
 call reads it.
 """
-from ._core import (Answer, Answers, Bodies, Body, BodyIntersections, BodyPairs, ClosestApproach, Distance, Distances,
-                    ExactTime, Finding, FirstBodyContact, FirstContact, FreeBodyStep, FreeStep, FuzzReport,
-                    Intersections, Mesh, MeshSteps, Pairs, __version__)
+from ._core import (Answer, Answers, Bodies, Body, BodyDistance, BodyIntersections, BodyPairs, ClosestApproach,
+                    Distance, Distances, ExactTime, Finding, FirstBodyContact, FirstContact, FreeBodyStep, FreeStep,
+                    FuzzReport, Intersections, Mesh, MeshSteps, Pairs, __version__)
 from ._names import Feature, Level, Nature, Trend
 from ._queries import contact_normal, contact_times, distance, solve, toi_gradient
 from ._curved import CurvedQueries, OnBody, OnCurves
@@ -47,7 +47,7 @@ from ._display import Shown, ShownMesh, show, show_mesh
 from ._pages import save_page
 
 __all__ = [
-    "Answer", "Answers", "Bodies", "Body", "BodyIntersections", "BodyPairs", "Certificate", "Checked",
+    "Answer", "Answers", "Bodies", "Body", "BodyDistance", "BodyIntersections", "BodyPairs", "Certificate", "Checked",
     "ClosestApproach", "CurvedQueries", "Distance", "Distances", "ExactTime", "Feature", "Finding", "FirstBodyContact",
     "FirstContact", "Frames", "FreeBodyStep", "FreeStep", "FuzzReport", "Intersections", "Level", "Mesh",
     "MeshFile", "MeshSteps", "Nature", "OnBody", "OnCurves", "Pairs", "Proofs", "Shown", "ShownMesh", "Trend", "Verdict",

@@ -238,6 +238,14 @@ class FreeBodyStep:
     first_contact: FirstBodyContact
     proofs: int
 
+class BodyDistance:
+    distance: float
+    pairs: BodyPairs
+    intersections: BodyIntersections
+    excluded: int
+    in_open: int
+    cancelled: int
+
 # Any: one motion has a result, and n motions have a list of n.
 class Bodies:
     bodies: List[Body]
@@ -258,6 +266,7 @@ class Bodies:
     def contact_normal(self, contacts: BodyPairs, start: ArrayLike, end: ArrayLike, *, quaternion: _Order,
                        turn: _Turn = "shorter", t_max: float = 1.0, threads: int = 1) -> _Doubles: ...
     def intersections(self, poses: ArrayLike, *, quaternion: _Order, threads: int = 1) -> Any: ...
+    def distance(self, poses: ArrayLike, *, quaternion: _Order, threads: int = 1) -> Any: ...
     def separation_of(self, pair: _BodyPair) -> float: ...
     def describe(self, pair: _BodyPair) -> str: ...
 
