@@ -109,7 +109,7 @@ void Colliders::add_elements(const Scene& scene) {
     for (const auto& [a, b] : body.edges) add_edge(first + a, first + b);
     for (const auto& [a, b, c] : body.faces) add_face({first + a, first + b, first + c});
     vertices += static_cast<Index>(body.vertices.size());
-    group_of_.resize(group_of_.size() + body.vertices.size(), static_cast<Index>(before_.size()));
+    group_of_.resize(group_of_.size() + body.vertices.size(), static_cast<Index>(before_.size() - 1));
     end_group();
     body_radii_.push_back(body.radius);
     if (body.motion == BodyMotion::fixed) continue;
