@@ -1,8 +1,10 @@
 // `touchstone audit` with an engine that is right, and with engines that are wrong in one way each.
 // SPDX-License-Identifier: MIT
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <regex>
+#include <sstream>
 #include <string>
 #include <vector>
 

@@ -16,6 +16,8 @@
 using namespace touchstone;
 using fuzz::ClaimedMotion;
 using fuzz::Claims;
+using fuzz::is_claimed;
+using fuzz::nearest_claimed;
 
 namespace {
 

@@ -54,7 +54,7 @@ std::string claims_text(const fuzz::EngineQuestion& q) {
   if (t.length > 0) text += fmt::format(" {}", t.length);
   if (t.relative > 0)
     text += fmt::format("{} {:.2g} of the greatest coordinate", t.length > 0 ? " plus" : "", t.relative);
-  if (t.time > 0) text += fmt::format("{} {} of the step", t.length > 0 || t.relative > 0 ? "," : "", t.time);
+  if (t.time > 0) text += fmt::format("{} {:.2g} of the step", t.length > 0 || t.relative > 0 ? "," : "", t.time);
   if (t.length == 0 && t.relative == 0 && t.time == 0) text += " none";
   return text;
 }
