@@ -241,8 +241,8 @@ struct BodyDistance {
   std::size_t excluded = 0;                     ///< as in FirstBodyContact
 };
 
-/// The least distance of two elements of two bodies at rest, of the pairs that first_contact asks about, in the metric of
-/// the bodies' separation: separations and radii do not count.
+/// The least distance of two elements of two bodies at rest, of the pairs that first_contact asks about, in the metric
+/// of the bodies' separation: separations and radii do not count.
 /// @param bodies   the bodies
 /// @param poses    one for each body
 /// @param options  how the question is answered

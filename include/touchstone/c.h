@@ -357,7 +357,7 @@ struct touchstone_intersection {
 int touchstone_mesh_intersections(const touchstone_mesh* mesh, const double* x, size_t value_count,
                                   const struct touchstone_options* options, touchstone_intersections** intersections);
 
-/** Whether a mesh intersects itself, exactly: whether touchstone_mesh_intersections finds any. It ends at the first one.
+/** Whether a mesh intersects itself, exactly: whether touchstone_mesh_intersections finds any. It ends at the first.
  *  @param mesh         the mesh
  *  @param x            the positions, 2 or 3 doubles for each vertex, as the mesh has dimensions
  *  @param value_count  the number of doubles in x

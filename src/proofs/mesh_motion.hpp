@@ -29,8 +29,8 @@ struct BodyVertex {
 /// The radii of the elements of a motion, none of them negative. All are empty where each radius is zero.
 struct MotionRadii {
   std::vector<double> points, edges, faces;
-  /// Pairs of different vertices, each once: elements one of which has one of the two, and the other one the other, only
-  /// do not touch.
+  /// Pairs of different vertices, each once: elements one of which has one of the two, and the other one the other,
+  /// only do not touch.
   std::vector<std::array<std::uint32_t, 2>> near;
 
   bool any() const noexcept { return !points.empty() || !edges.empty() || !faces.empty(); }
@@ -162,9 +162,9 @@ class StepProver {
   /// The pairs of the step between two frames, in the order of the proofs; the same for any number of threads.
   std::vector<MotionPair> pairs(const MotionFrame& start, const MotionFrame& end, int threads) const;
 
-  /// The separation that a pair's proof is about: zero for those that only touch, and for a fold, a point and a wire that
-  /// another wire joins. Wires
-  /// are edges that are no sides of faces. With radii, their sum, rounded up, but zero where vertices are near.
+  /// The separation that a pair's proof is about: zero for those that only touch, and for a fold, a point and a wire
+  /// that another wire joins. Wires are edges that are no sides of faces. With radii, their sum, rounded up, but zero
+  /// where vertices are near.
   Separation separation_of(const MotionPair& pair) const noexcept;
 
   /// Of a pair without a vertex on a body.

@@ -181,8 +181,8 @@ TEST_CASE("a row in quotes that spans lines counts them") {
 TEST_CASE("faults of a claims file are named with file, row and reason", "[slow]") {
   CHECK(error_of("") == "a.csv: is empty; its first line may name the columns, for example query,contact,toi");
   CHECK(error_of("query,contact,query\n") == "a.csv:1: two columns are a 'query'; --columns says which one is read");
-  CHECK(error_of("query,ns\n0,1\n").starts_with(
-      "a.csv:1: no column is a 'contact' or a 'toi'; known names are file (or filename"));
+  CHECK(error_of("query,ns\n0,1\n")
+            .starts_with("a.csv:1: no column is a 'contact' or a 'toi'; known names are file (or filename"));
   CHECK(error_of("0,1\n1,1\n") ==
         "a.csv:1: no names of columns; --columns says what they are, for example --columns contact,toi or "
         "query,contact");

@@ -28,9 +28,10 @@ namespace touchstone::rigid {
 namespace {
 
 // A piece of a step is halved while arcs in it leave straight motion by too much beside bodies that are near each other
-// in it. By default that is a small part of a body's width, in pieces that are longer than kShort. A body may turn about
-// an origin far from it: then its arcs leave straight motion by as much as its width, and all of its elements seem to be
-// near. Such pieces are halved further. There are few: the body crosses the width of the other one in little time.
+// in it. By default that is a small part of a body's width, in pieces that are longer than kShort. A body may turn
+// about an origin far from it: then its arcs leave straight motion by as much as its width, and all of its elements
+// seem to be near. Such pieces are halved further. There are few: the body crosses the width of the other one in little
+// time.
 constexpr double kLittle = 1.0 / 256, kMuch = 1.0 / 16;
 constexpr double kShort = 0x1p-8;
 constexpr double kShortest = 0x1p-20;  // as Arc asks

@@ -1,5 +1,5 @@
-// The least distance of bodies at rest: pairs of elements are asked, exactly, whether they are within the least distance
-// that was found before them, as far as boxes and filters leave them.
+// The least distance of bodies at rest: pairs of elements are asked, exactly, whether they are within the least
+// distance that was found before them, as far as boxes and filters leave them.
 // SPDX-License-Identifier: MIT
 #include <atomic>
 #include <cmath>

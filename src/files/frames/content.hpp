@@ -11,12 +11,12 @@
 
 namespace touchstone::frames {
 
-/// Of a mesh file or a topology file. An OBJ file of 64 GiB has about a billion faces; a line of 64 MiB would be a polygon
-/// of millions of corners.
+/// Of a mesh file or a topology file. An OBJ file of 64 GiB has about a billion faces; a line of 64 MiB would be a
+/// polygon of millions of corners.
 inline constexpr io::FileLimits kMeshLimits{std::uint64_t{1} << 36, std::uint64_t{1} << 30, std::uint64_t{1} << 26};
 
-/// Where nodes show one mesh, or values are compressed, a short file may stand for any number of vertices and corners. It
-/// may have so many if it has so many bytes.
+/// Where nodes show one mesh, or values are compressed, a short file may stand for any number of vertices and corners.
+/// It may have so many if it has so many bytes.
 constexpr std::size_t most_items(std::size_t bytes) noexcept { return (std::size_t{1} << 22) + 16 * bytes; }
 
 /// Reads a file, pipe or device whose name tells its format until its end.

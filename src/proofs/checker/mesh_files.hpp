@@ -51,8 +51,9 @@ inline std::vector<std::string> files_of(const std::string& pattern) {
   return files;
 }
 
-/// Lines "v X Y Z", "f V V V...", "l V V..." and "p V...". A vertex may have textures and normals behind slashes; a negative
-/// number counts back. What another reader may take for such a line is refused: other keywords, backslashes, controls.
+/// Lines "v X Y Z", "f V V V...", "l V V..." and "p V...". A vertex may have textures and normals behind slashes; a
+/// negative number counts back. What another reader may take for such a line is refused: other keywords, backslashes,
+/// controls.
 inline MeshFile read_obj(const std::string& name) {
   static const std::vector<std::string_view> kIgnored = {"vt", "vn", "o", "g", "s", "usemtl", "mtllib"};
   Lines lines(name);

@@ -15,8 +15,8 @@ constexpr std::uint32_t kNoBody = kMostVertices, kNoGroup = kMostVertices + 1;
 
 /// A point, an edge or a face, and its box during a step. Along each axis, the ends of the boxes of all vertices are
 /// sorted. `low` is the rank of the box's least coordinate, and `reach` the number of the ends that are at most D
-/// above its greatest one. Boxes a and b are at most D apart if a.low < b.reach and b.low < a.reach. With radii D is the
-/// largest separation.
+/// above its greatest one. Boxes a and b are at most D apart if a.low < b.reach and b.low < a.reach. With radii D is
+/// the largest separation.
 struct Element {
   std::array<std::uint32_t, 3> vertices{}, groups{}, low{}, reach{};
   std::size_t size = 0, number = 0;  ///< of vertices; among the elements of its sort

@@ -43,7 +43,8 @@ class BodySystem {
   /// Of a body that is not free.
   Pose prescribed(std::size_t body, double time) const;
 
-  /// By how much a body that is not free turns between two times, rad: also by whole turns, which its poses do not show.
+  /// By how much a body that is not free turns between two times, rad: also by whole turns, which its poses do not
+  /// show.
   double prescribed_turn(std::size_t body, double from, double to) const;
 
   /// The velocities h seconds later, by gravity and drag.

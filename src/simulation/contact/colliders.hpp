@@ -54,8 +54,8 @@ struct Fold {
   Index particle = 0, edge = 0;
 };
 
-/// Elements of a body that follow each other, and so mostly lie near each other: all within `radius` of a centre, in the
-/// body's frame. Most of them need no box of their own.
+/// Elements of a body that follow each other, and so mostly lie near each other: all within `radius` of a centre, in
+/// the body's frame. Most of them need no box of their own.
 struct Cluster {
   Vector3 centre = Vector3::Zero();
   double radius = 0;  ///< m, rounded up
@@ -137,14 +137,14 @@ class Colliders {
 
   const Neighbours& neighbours() const noexcept { return neighbours_; }
 
-  /// Every pair of particles whose boxes overlap at some time, when the boxes move from x0 to x1 with their elements and
-  /// are wider by their radii and by `margin` on all sides. So every pair that may come within its separation while each
-  /// particle ends within `margin` of x1 along each axis. Pairs in which nothing can move are left out and, but for
-  /// folds, pairs that share a particle. The order depends on the arguments only.
+  /// Every pair of particles whose boxes overlap at some time, when the boxes move from x0 to x1 with their elements
+  /// and are wider by their radii and by `margin` on all sides. So every pair that may come within its separation while
+  /// each particle ends within `margin` of x1 along each axis. Pairs in which nothing can move are left out and, but
+  /// for folds, pairs that share a particle. The order depends on the arguments only.
   std::vector<Pair> candidates(const VectorX& x0, const VectorX& x1, double margin) const;
 
-  /// Every other pair, one of a body at least, whose elements may come within its separation and `margin` of each other,
-  /// and in which something can move. The order depends on the arguments only.
+  /// Every other pair, one of a body at least, whose elements may come within its separation and `margin` of each
+  /// other, and in which something can move. The order depends on the arguments only.
   std::vector<Pair> body_candidates(const SceneMotion& motion, double margin) const;
 
   /// Where the pair's elements touch in the motion from x0 to x1, by the exact solver's answer. m

@@ -36,8 +36,8 @@ SeparationCounts separations_of(const Colliders& colliders, const std::vector<Pa
 /// Sees a query of particles, its separation and the answer.
 using QuerySink = std::function<void(const Query&, double, const Answer&)>;
 
-/// Answers to pairs[i], in order; pairs of particles only where the motion has no bodies, and always by the exact solver
-/// where it has; the same for any number of threads. Elements are in contact within their separation.
+/// Answers to pairs[i], in order; pairs of particles only where the motion has no bodies, and always by the exact
+/// solver where it has; the same for any number of threads. Elements are in contact within their separation.
 class PairSolver {
  public:
   /// @param cancel  is checked before each block of pairs, and lives as long as this

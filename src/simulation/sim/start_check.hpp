@@ -1,5 +1,5 @@
-// Elements that pass through each other before a run begins. A pair that is pierced never touches, so that no step would
-// find it.
+// Elements that pass through each other before a run begins. A pair that is pierced never touches, so that no step
+// would find it.
 // SPDX-License-Identifier: MIT
 #pragma once
 
@@ -23,8 +23,10 @@ struct StartFindings {
       enclosed_first;  ///< of the enclosed ones: "particle 3 in body 0", "particle 3 in the surface of face 5-6-7"
 };
 
-/// Asks `intersections` of all elements at once, at the start of a run or at its checkpoint. Corners of bodies are rounded to doubles, and then decided exactly.
-/// @throws Error "WHAT begins with elements that pierce each other: edge 0-1 and face 2-3-4 at (x, y, z)", or that touch
+/// Asks `intersections` of all elements at once, at the start of a run or at its checkpoint. Corners of bodies are
+/// rounded to doubles, and then decided exactly.
+/// @throws Error "WHAT begins with elements that pierce each other: edge 0-1 and face 2-3-4 at (x, y, z)", or that
+/// touch
 StartFindings check_no_intersection(const Colliders& colliders, const VectorX& q, const BodyStates& bodies,
                                     std::string_view what, int threads);
 

@@ -251,7 +251,10 @@ void define_body_distance(py::module_& module) {
           "distance", [](const FoundBodyDistance& self) { return self.found.distance; },
           "the least distance, rounded up to a double; 0 where bodies intersect, inf where none may collide")
       .def_property_readonly(
-          "pairs", [](const FoundBodyDistance& self) { return pairs_of(self.found.pairs, {self.found.excluded, {}}); },
+          "pairs",
+          [](const FoundBodyDistance& self) {
+            return pairs_of(self.found.pairs, {self.found.excluded, {}});
+          },
           "BodyPairs: every pair within this distance")
       .def_property_readonly(
           "intersections", [](const FoundBodyDistance& self) { return BodyIntersections{self.found.intersections}; },

@@ -60,8 +60,8 @@ view::FindingToShow finding_to_show(const fuzz::Finding& finding, const FuzzComm
 void write_findings_page(const std::string& file, const std::string& title, const std::string& summary,
                          const std::vector<view::FindingToShow>& findings);
 
-/// Throws when nothing can be written to the folder or the page (empty: none): before minutes are spent on a search, not
-/// after. @throws Error
+/// Throws when nothing can be written to the folder or the page (empty: none): before minutes are spent on a search,
+/// not after. @throws Error
 void check_outputs(const std::string& out, const std::string& html);
 
 }  // namespace touchstone::cli

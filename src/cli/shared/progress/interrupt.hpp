@@ -12,8 +12,8 @@ struct Interrupted : std::exception {
   const char* what() const noexcept override { return "interrupted"; }
 };
 
-/// From now on SIGINT, SIGTERM and SIGHUP are noted. A write to a closed pipe, or beyond the size of a file that `ulimit
-/// -f` allows, is an error instead of a signal.
+/// From now on SIGINT, SIGTERM and SIGHUP are noted. A write to a closed pipe, or beyond the size of a file that
+/// `ulimit -f` allows, is an error instead of a signal.
 void watch_for_signals();
 
 /// Opens a read-only descriptor in place of each standard stream that the caller has closed.

@@ -26,8 +26,8 @@ struct AnswerRow {
   bool contact = false;
   std::optional<double> toi;  ///< finite; only with contact
   /// The field's text, if its number may lie beside its nearest double `toi`; else empty. Its exact value has at most
-  /// numbers::kMostWrittenDigits digits. Valid until the next row. Empty where a `toi_upper` in the row is that double or
-  /// the next one: then decimals are spellings of doubles.
+  /// numbers::kMostWrittenDigits digits. Valid until the next row. Empty where a `toi_upper` in the row is that double
+  /// or the next one: then decimals are spellings of doubles.
   std::string_view toi_as_written;
   std::optional<Separation> separation;  ///< what the claim is about; nothing when the file has no such column
   std::uint64_t row = 0;                 ///< the line where it starts, counted from 1
@@ -35,9 +35,9 @@ struct AnswerRow {
 
 /// Reads CsvRecords. The first line names the columns, in any order, by the names that claim_columns.hpp lists. A
 /// comment before the first row may name them, too, as numpy.savetxt writes it. Only `contact` is needed, or else `toi`
-/// (contact_of_toi), or else `query` in a list of contacts alone. `separation` and `metric` say what a row is about; a separation without a metric is
-/// Euclidean. Other columns are not read. Without such a line, one column is `contact`, and three are `query`, `contact`
-/// and `toi`. The toi of a row without contact is not read.
+/// (contact_of_toi), or else `query` in a list of contacts alone. `separation` and `metric` say what a row is about; a
+/// separation without a metric is Euclidean. Other columns are not read. Without such a line, one column is `contact`,
+/// and three are `query`, `contact` and `toi`. The toi of a row without contact is not read.
 class AnswerReader {
  public:
   /// Reads the header, if there is one.

@@ -57,8 +57,8 @@ inline constexpr std::string_view kTruthIsRight = "it must be 0 or 1, true or fa
 /// The double that `text` spells exactly: not 1 for 0.99999999999999999999. Nothing for other text.
 std::optional<double> parse_exact_double(std::string_view text);
 
-/// Whether a claim without a `contact` is one of contact, by its toi: a number of [0, 1] says so, and "inf", "nan", "none",
-/// "null" and an empty text that there is none. Nothing for any other text.
+/// Whether a claim without a `contact` is one of contact, by its toi: a number of [0, 1] says so, and "inf", "nan",
+/// "none", "null" and an empty text that there is none. Nothing for any other text.
 std::optional<bool> contact_of_toi(std::string_view toi);
 
 /// What is right where contact_of_toi() says nothing, for messages.
