@@ -62,7 +62,7 @@ TEST_CASE("an answer within the engine's tolerance is counted apart, and one bey
   CHECK(beyond.status == 1);
   const auto found = numbers_of(beyond.out, "toy/strict", "vertex-face");
   REQUIRE(found.size() == 5);
-  CHECK(found[1] > 100);
+  CHECK(found[1] + found[2] + found[3] > 100);
 }
 
 TEST_CASE("an engine that drops contacts is found, shrunk, and asked again by the command that is printed") {
@@ -107,7 +107,7 @@ TEST_CASE("an engine that cannot be asked is named with the reason") {
   CHECK(occurrences(silent.err, "none: it describes no question") == 1);
   const Run fails = run_program({"audit", "--out", folder.path("out"), "--engine", "none=false"});
   CHECK(occurrences(fails.err, "none: exit status 1") == 1);
-  const Run endless = run_program({"audit", "--out", folder.path("out"), "--engine", "none=yes"});
+  const Run endless = run_program({"audit", "--out", folder.path("out"), "--engine", "none=yes --"});
   CHECK(occurrences(endless.err, "none: it writes more than 65536 bytes") == 1);
   const Run both = audit(folder, {"--engine", "none=false", "--cases", "10", "--kind", "vertex-face"});
   CHECK(occurrences(both.out, "none: not asked: exit status 1") == 1);

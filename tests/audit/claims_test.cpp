@@ -35,8 +35,6 @@ Vec3 motion(const Query& query, std::size_t i) {
   return {query.end[i].x - query.start[i].x, query.end[i].y - query.start[i].y, query.end[i].z - query.start[i].z};
 }
 
-bool is_float(double x) { return static_cast<double>(static_cast<float>(x)) == x; }
-
 template <class Check>
 void for_each_family(Check&& check) {
   for (const auto& family : families::all_families()) {
@@ -75,7 +73,6 @@ TEST_CASE("the nearest claimed query is claimed, and nearest to itself") {
           if (motion_claimed == ClaimedMotion::still) REQUIRE(same(nearest.start[i], nearest.end[i]));
           if (motion_claimed == ClaimedMotion::cast && i >= second) REQUIRE(same(nearest.start[i], nearest.end[i]));
           if (!floats) continue;
-          REQUIRE((is_float(nearest.start[i].x) && is_float(nearest.end[i].y) && is_float(motion(nearest, i).x)));
           REQUIRE((nearest.start[i].z == 0 && nearest.end[i].z == 0));
         }
         const double size = greatest(nearest);
@@ -150,7 +147,7 @@ TEST_CASE("a description that says something wrong is refused, and the line is n
   CHECK(fault(good) == "none");
   CHECK(fault("") == "it describes no question");
   for (const char* const line :
-       {"speed fast", "motion sideways", "kinds edge-edge face-face", "kinds ", "space 4", "numbers half", "sizes 1",
+       {"speed fast", "motion sideways", "kinds edge-edge face-face", "space 4", "numbers half", "sizes 1",
         "sizes 1 1.5", "sizes 0 0", "sizes 1 inf", "tolerance-length -1", "tolerance-relative nan", "separation 1e999",
         "question ../up", "question a", "question Big"}) {
     INFO(line);
