@@ -78,7 +78,7 @@ TEST_CASE("boxes on one another stay at rest") {
     CHECK((after[i].pose.p - before[i].pose.p).norm() < 1e-5);
     CHECK(turn_between(before[i].pose.q, after[i].pose.q).norm() < 1e-5);
   }
-  CHECK(simulation.refused().not_resolved == 0);
+  CHECK(simulation.refused(Cause::not_resolved) == 0);
 }
 
 TEST_CASE("a nut turns and descends as its thread leads it") {

@@ -57,7 +57,7 @@ TEST_CASE("a step is taken in so many parts as it needs, and in 20,000 tries at 
   CHECK(few.step().size() == 16);
   CHECK(few.steps() == 1);
   CHECK(few.state().time == 1);
-  CHECK(few.refused().not_resolved == 15);  // a whole one, two halves, ...: all that is longer than a sixteenth
+  CHECK(few.refused(Cause::not_resolved) == 15);  // a whole one, two halves, ...: all that is longer than a sixteenth
 
   Simulation many(round_a_star(1 << 14), {});
   const std::string before = checkpoint_to_json(many);
@@ -65,7 +65,7 @@ TEST_CASE("a step is taken in so many parts as it needs, and in 20,000 tries at 
   CHECK_THAT(error, Catch::StartsWith("step 1 cannot be taken: after 20000 tries of its parts it has come to 0.6"));
   CHECK_THAT(error, Catch::Contains(" found no response): edge 0-1 and edge 2-"));
   CHECK((checkpoint_to_json(many) == before));
-  CHECK(many.refused().not_resolved > 9000);
+  CHECK(many.refused(Cause::not_resolved) > 9000);
 }
 
 TEST_CASE("what ends a run between the parts of a step takes back the parts that were made") {

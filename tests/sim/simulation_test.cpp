@@ -160,7 +160,7 @@ TEST_CASE("what is driven through something pinned cannot be, and the run says s
   CHECK(simulation.steps() == steps);
   CHECK(simulation.state().q == before);
   CHECK(simulation.crossings().empty());
-  CHECK(simulation.refused().not_resolved > 0);
+  CHECK(simulation.refused(Cause::not_resolved) > 0);
 }
 
 TEST_CASE("a zone moves rigidly, with its momentum and angular momentum") {

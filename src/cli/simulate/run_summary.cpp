@@ -44,20 +44,10 @@ std::string simulation_for_person(const sim::Simulation& simulation, const StepT
                       counted(totals.separated, "pair"), totals.largest_separation)
                 : "no pair with a separation came near enough to be asked about\n";
   }
-  const auto refused = [&](sim::Cause cause) { return simulation.refused()[static_cast<std::size_t>(cause)]; };
   if (totals.substeps > totals.steps) {
-    text += fmt::format(
-        "{} in {}: refused were {} that did not converge, {} without a response, {} that gained "
-        "energy, {}{} that failed their proof{}\n",
-        counted(totals.steps, "step"), counted(totals.substeps, "part"), refused(sim::Cause::not_converged),
-        refused(sim::Cause::not_resolved), refused(sim::Cause::gained_energy),
-        refused(sim::Cause::overstretched) > 0
-            ? fmt::format("{} that stretched cloth to its limit, ", refused(sim::Cause::overstretched))
-            : "",
-        refused(sim::Cause::not_certified),
-        refused(sim::Cause::inaccurate) > 0
-            ? fmt::format(", {} that were less accurate than the tolerance", refused(sim::Cause::inaccurate))
-            : "");
+    const std::string refused = sim::refused_for_person(simulation.refused(), {});
+    text += fmt::format("{} in {}{}{}\n", counted(totals.steps, "step"), counted(totals.substeps, "part"),
+                        refused.empty() ? "" : "; of the tries of parts ", refused);
   }
   if (totals.gained > 0)
     text += fmt::format("in {} energy was gained: too short to be cut again\n", counted(totals.gained, "part"));

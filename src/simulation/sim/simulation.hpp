@@ -105,6 +105,7 @@ class Simulation {
   const StartFindings& start() const noexcept { return start_; }
   /// Over the whole run.
   const RefusedCounts& refused() const noexcept { return refused_; }
+  std::uint64_t refused(Cause cause) const noexcept { return refused_[static_cast<std::size_t>(cause)]; }
   double thickness() const noexcept { return response_.thickness(); }
   /// Of all steps so far, those that were refused included.
   const PhaseTimes& times() const noexcept { return times_; }
