@@ -43,26 +43,33 @@ void scale(Query& query, double least, double greatest) {
   if (power != 0) for_each_number(query, [&](double& x) { x = std::ldexp(x, power); });
 }
 
-/// Each element moves as its first corner does. Numbers become multiples of one power of two, with a few bits to spare,
-/// so that the motion of every corner is the same number exactly.
-void translate(Query& query, const Claims& claims) {
+/// Each element moves as its first corner does, or not at all.
+void move_elements(Query& query, ClaimedMotion motion) {
+  const std::size_t first = first_corners(query.kind);
+  for (const auto axis : kCoordinates) {
+    const double a = query.end[0].*axis - query.start[0].*axis, b = query.end[first].*axis - query.start[first].*axis;
+    for (std::size_t i = 0; i < corner_count(query.kind); ++i) {
+      const bool moves = motion == ClaimedMotion::translations || (motion == ClaimedMotion::cast && i < first);
+      const double way = i >= first ? b : motion == ClaimedMotion::cast ? a - b : a;
+      query.end[i].*axis = query.start[i].*axis + (moves ? way : 0);
+    }
+  }
+}
+
+/// Numbers become multiples of one power of two, with a few bits to spare, so that the motion of every corner of an
+/// element is the same number exactly.
+void round(Query& query, bool floats) {
   const std::size_t count = corner_count(query.kind), first = first_corners(query.kind);
-  const bool cast = claims.motion == ClaimedMotion::cast;
   std::array<Vec3, 2> motions{};
   double greatest = 0;
   for (const auto axis : kCoordinates) {
-    const double a = query.end[0].*axis - query.start[0].*axis, b = query.end[first].*axis - query.start[first].*axis;
-    if (claims.motion == ClaimedMotion::translations) motions[0].*axis = a, motions[1].*axis = b;
-    if (cast) motions[0].*axis = a - b;
     for (std::size_t i = 0; i < count; ++i) {
+      if (i == 0 || i == first) motions[i == 0 ? 0 : 1].*axis = query.end[i].*axis - query.start[i].*axis;
       greatest = std::max(greatest, std::fabs(query.start[i].*axis) + std::fabs(motions[i < first ? 0 : 1].*axis));
     }
   }
-  if (greatest == 0) {
-    query.end = query.start;
-    return;
-  }
-  const int bits = claims.floats ? 23 : 51;
+  if (greatest == 0) return;
+  const int bits = floats ? 23 : 51;
   const double unit = std::ldexp(1.0, std::ilogb(greatest) + 1 - bits);
   const auto rounded = [unit](double x) { return std::nearbyint(x / unit) * unit; };
   for (const auto axis : kCoordinates) {
@@ -88,7 +95,9 @@ Query nearer(Query query, const Claims& claims) {
   }
   const double least = std::max(claims.least, kLeast), greatest = std::min(claims.greatest, kGreatest);
   scale(query, least, greatest);
-  translate(query, claims);
+  move_elements(query, claims.motion);
+  scale(query, least, greatest);  // what moved may have been the greatest, and the rest tiny
+  round(query, claims.floats);
   scale(query, least, greatest);
   return query;
 }

@@ -50,6 +50,7 @@ bool set_motion(Claims& claims, std::string_view text) {
 }
 
 bool set_kinds(std::vector<Kind>& kinds, std::string_view text) {
+  kinds.clear();
   while (!text.empty()) {
     const auto kind = from_name<Kind>(take_word(text));
     if (!kind) return false;
