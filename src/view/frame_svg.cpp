@@ -18,9 +18,9 @@ namespace {
 
 constexpr std::size_t kMostDrawn = 5000;        // elements of a frame
 constexpr std::size_t kMostInMotion = 400'000;  // elements of all frames of a moving picture
-constexpr std::size_t kMostFrames = 60;
+constexpr std::size_t kMostFrames = 32;
 constexpr double kWide = 1280, kTall = 800;  // units of the picture: coordinates are rounded to them
-constexpr double kSecondsPerFrame = 0.08;
+constexpr double kSecondsPerFrame = 0.1;
 
 /// The frame that the still picture shows.
 std::size_t frame_of_still(const Animation& animation) {

@@ -150,7 +150,7 @@ TEST_CASE("the least substep is taken as it is, and says so") {
     CHECK(records.size() == 8);  // an eighth is the shortest part of 0.1 s that is no shorter than 0.012 s
     for (const SubstepRecord& record : records) CHECK(record.excess > 1);
   }
-  CHECK(simulation.refused().inaccurate > 0);
+  CHECK(simulation.refused(Cause::inaccurate) > 0);
 }
 
 TEST_CASE("contacts, a tolerance and a checkpoint: the run that goes on is the same to the last bit") {
