@@ -45,7 +45,7 @@ class AnimationViewer {
   /** The address of the page as it is seen now. */
   keepState() {
     const round = (x) => String(Number(x.toPrecision(9))), {basis} = this.camera;
-    const state = {t: round(this.s), zoom: round(this.zoom), from: [...basis[0], ...basis[2]].map(round).join()};
+    const state = {t: String(this.s), zoom: round(this.zoom), from: [...basis[0], ...basis[2]].map(round).join()};
     history.replaceState(null, '', '#' + new URLSearchParams(state));
   }
 
