@@ -237,7 +237,8 @@ struct BodyDistance {
   std::vector<BodyContact> pairs;
 
   std::vector<BodyIntersection> intersections;  ///< where bodies intersect
-  std::size_t in_open = 0, cancelled = 0;       ///< as in FirstBodyContact
+  std::size_t in_open = 0;                      ///< as in FirstBodyContact
+  std::size_t cancelled = 0;                    ///< as in FirstBodyContact
   std::size_t excluded = 0;                     ///< as in FirstBodyContact
 };
 

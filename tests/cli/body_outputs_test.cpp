@@ -117,7 +117,8 @@ TEST_CASE("bodies --html: the page has the bodies, and what was found") {
   CHECK(occurrences(again, "pierces face") > 0);
 
   check_refused(scene.run(BarAndWall::quarter_turn("1.625"), {"--html", "-"}), "--html");
-  check_refused(scene.run(BarAndWall::quarter_turn("1.625"), {"--html", page, "--free-step", page}),
+  check_refused(scene.run(BarAndWall::quarter_turn("1.625"),
+                          {"--html", scene.folder.path("o"), "--free-step", scene.folder.path("o")}),
                 "which another option names too");
   check_refused(scene.run(BarAndWall::quarter_turn("1.625"), {"--html", scene.folder.path("none/p.html")}),
                 "none/p.html");

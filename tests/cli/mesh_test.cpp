@@ -427,8 +427,8 @@ TEST_CASE("files that would take each other's place are refused") {
   const TemporaryFolder folder;
   const auto files = write_needles(folder, "f", 4, 2, rising_tip);
   const std::string before = folder.read("f-0.obj");
-  check_refused(mesh(with({"--report", files[0]}, files)), "is also an input");
-  check_refused(mesh(with({"--pairs", files[1]}, files)), "is also an input");
+  check_refused(mesh(with({"--report", files[0]}, files)), "what is written is JSON");
+  check_refused(mesh(with({"--pairs", files[1]}, files)), "what is written is CSV");
   const std::string out = folder.path("out");
   check_refused(mesh(with({"--report", out, "--pairs", out}, files)), "which another option names too");
   check_refused(mesh(with({"--report", out, "--pairs", out + ".progress"}, files)), "which another option names too");

@@ -51,7 +51,7 @@ TEST_CASE("bad usage ends with status 2 and one line") {
   check_refused(
       {"juggle"},
       "juggle is no subcommand; they are solve, certify, explain, view, prove, convert, generate, bench, report, "
-      "fuzz, stress, simulate, mesh, bodies, merge, scenes and doctor");
+      "fuzz, audit, stress, simulate, mesh, bodies, merge, scenes and doctor");
   check_refused({"certify", "a.csv", "--level", "fast", "--level", "exact"}, "--level");
   check_refused({"explain", "--query", "99999999999999999999", "a.csv"}, "--query");
   check_refused({"solve"}, "FILE");
@@ -149,7 +149,7 @@ TEST_CASE("queries of decimals are solved, and what a proof is about is fraction
   CHECK(occurrences(run_program({"solve", whole}).out, contact + "exact\n") == 1);
   CHECK(occurrences(run_program({"solve", "--as-doubles", whole}).out, contact + "bracket\n") == 1);
   CHECK(run_program({"certify", whole}).out.starts_with("all 1 claims hold"));
-  const std::string told = "2 coordinates of the files are decimals that no double equals, and were taken as written";
+  const std::string told = "4 coordinates of the files are decimals that no double equals, and were taken as written";
   CHECK(occurrences(run_program({"certify", whole}).out, told + "; --as-doubles takes the nearest doubles\n") == 1);
   CHECK(occurrences(run_program({"certify", "--report", "-", whole}).err, told) == 1);
   CHECK(occurrences(run_program({"solve", whole}).err, told) == 1);
@@ -282,7 +282,8 @@ TEST_CASE("an output whose name has the ending of another format is refused, wit
   const std::string page = "a page, HTML with pictures (SVG) in it: name it " + folder.path("picture.html");
   refused({"view", "--query", "0", "--out"}, "picture.png", page);
   refused({"explain", "--query", "0", "--html"}, "picture.SVG", page);
-  refused({"mesh", "--html"}, "picture.pdf", page);
+  refused({"mesh", "--html"}, "picture.pdf",
+          "a page, HTML with pictures (SVG) in it, or a moving picture: name it " + folder.path("picture.html"));
   refused({"solve", "--out"}, "a.json", "CSV: name it " + folder.path("a.csv") + "; --json writes lines of JSON");
   refused({"solve", "--out"}, "a.csv.gz", "CSV: name it " + folder.path("a.csv") + "; --json");
   refused({"solve", "--json", "--out"}, "a.csv", "lines of JSON: name it " + folder.path("a.jsonl"));

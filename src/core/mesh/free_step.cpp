@@ -18,15 +18,17 @@
 #include "numbers/doubles/between.hpp"
 #include "numbers/doubles/decimal_text.hpp"
 #include "numbers/doubles/float_environment.hpp"
+#include "numbers/doubles/nearest_float.hpp"
 #include "solver/cascade.hpp"
 #include "threads/for_each_range.hpp"
 
 namespace touchstone::mesh {
 namespace {
 
-/// The double between x0 and x1 after a length, rounded to the nearest float, for x0 and x1 that are floats: so it is between them, too.
+/// The double between x0 and x1 after a length, rounded to the nearest float, for x0 and x1 that are floats: so it is
+/// between them, too.
 double float_at(double x0, double x1, double length) noexcept {
-  return static_cast<double>(static_cast<float>(numbers::between(x0, x1, length)));
+  return numbers::nearest_float(numbers::between(x0, x1, length));
 }
 
 Vec3 position_at(const MovingVertex& vertex, double length, bool float32) noexcept {
@@ -68,10 +70,10 @@ void round_to_floats(Motion& step) {
     for (std::size_t k = 0; k < 3; ++k) {
       const double start = step[v].start.*kAxes[k];
       double& end = step[v].end.*kAxes[k];
-      if (static_cast<double>(static_cast<float>(start)) != start) {
+      if (numbers::nearest_float(start) != start) {
         refuse_coordinate(v, k, start, 0, ", which is no float32 number; with float32 a step starts at such numbers");
       }
-      const auto rounded = static_cast<double>(static_cast<float>(end));
+      const double rounded = numbers::nearest_float(end);
       if (!std::isfinite(rounded)) {
         refuse_coordinate(v, k, end, 1, ", which is beyond the largest float32 number, 3.4e38");
       }

@@ -8,6 +8,8 @@
 
 #include <touchstone/solve.hpp>
 
+#include "numbers/doubles/nearest_float.hpp"
+
 namespace touchstone::fuzz {
 namespace {
 
@@ -89,7 +91,7 @@ Query nearer(Query query, const Claims& claims) {
   if (claims.motion == ClaimedMotion::straight) {
     if (claims.floats || claims.greatest < kGreatest || claims.least > 0) scale(query, claims.least, claims.greatest);
     if (claims.floats) {
-      for_each_number(query, [](double& x) { x = static_cast<double>(static_cast<float>(x)); });
+      for_each_number(query, [](double& x) { x = numbers::nearest_float(x); });
     }
     return query;
   }
