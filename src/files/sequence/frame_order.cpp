@@ -230,7 +230,8 @@ std::vector<std::string> expand_patterns(const std::vector<std::string>& argumen
       continue;
     }
     const bool pattern = argument.find_first_of("*?[") != std::string::npos;
-    if (!pattern && !frames::known_format_of(argument) && !std::filesystem::exists(argument, ignored)) {
+    if (!pattern && argument != "-" && !frames::known_format_of(argument) &&
+        !std::filesystem::exists(argument, ignored)) {
       io::fail(argument, "is no file, no folder, and no pattern such as 'x-*.obj'");
     }
     if (!pattern || std::filesystem::exists(argument, ignored)) {
