@@ -16,7 +16,7 @@ namespace touchstone::view {
 
 namespace {
 
-constexpr double kMuchLarger = 1.6;  // what is at rest is cut off, like a floor, if all is so many times larger
+constexpr double kMuchLarger = 2;  // what is at rest is cut off, like a floor, if all is so many times larger
 
 struct Box {
   Triple low, high;

@@ -226,7 +226,7 @@ TEST_CASE("a moving picture shows each frame once, from back to front, and only 
   // Of each frame the face at y = 0 comes first: it moves not, and has the same text in all frames.
   const auto first = text.find("<path fill"), second = text.find("<path fill", first + 1);
   const std::string behind = text.substr(first, second - first);
-  CHECK(behind.find('Z') != std::string::npos);
+  CHECK(behind.find('z') != std::string::npos);
   std::size_t same = 0;
   for (std::size_t at = text.find(behind); at != std::string::npos; at = text.find(behind, at + 1)) ++same;
   CHECK(same == frames);

@@ -89,7 +89,8 @@ TEST_CASE("simulate writes its page whole, also when a run ends early, and refus
   CHECK(occurrences(text, "</html>") == 1);
   check_refused({"simulate", "two-edges", "--html", "-"}, "--html");
   check_refused({"simulate", "two-edges", "--html", ""}, "--html");
-  check_refused({"simulate", "two-edges", "--html", page, "--energies", page}, "--html");
+  const std::string both = folder.path("both");
+  check_refused({"simulate", "two-edges", "--html", both, "--energies", both}, "--html");
   check_refused({"simulate", "two-edges", "--html", folder.path("none/p.html")}, "none/p.html");
   CHECK(text_of(page) == text);
 

@@ -54,7 +54,7 @@ view::AnimationShape shape_of(const BodyFiles& files) {
 }
 
 /// The place of a point of a body, about: for drawing.
-Triple place_of(const rigid::Arc& now, const Vec3& point) {
+Triple position_of(const rigid::Arc& now, const Vec3& point) {
   constexpr double kMost = std::numeric_limits<double>::max();
   const Vec3 at = now.ends_of(point).start;
   return {std::clamp(at.x, -kMost, kMost), std::clamp(at.y, -kMost, kMost), std::clamp(at.z, -kMost, kMost)};
@@ -109,7 +109,7 @@ void BodyAnimation::add_frame(const std::vector<RigidMotion>& motions, double fr
   for (std::size_t b = 0; b < motions.size(); ++b) {
     const rigid::Arc now = arc_at(motions[b], fraction);
     for (const Vec3& point : files_.bodies().bodies[b].points()) {
-      const Triple at = place_of(now, point);
+      const Triple at = position_of(now, point);
       positions.insert(positions.end(), at.begin(), at.end());
     }
   }
@@ -131,7 +131,7 @@ void BodyAnimation::add_contacts(const std::vector<BodyContact>& contacts, doubl
     const rigid::Arc now = arc_at(query.motions[0], contact.answer.toi);  // the first element's body
     Triple point{};
     for (std::size_t c = 0; c < first.corners(); ++c) {
-      const Triple corner = place_of(now, query.corners[c].points[0]);
+      const Triple corner = position_of(now, query.corners[c].points[0]);
       const double weight = first.corners() == 1 ? 1 : contact.answer.weights_a[c];
       for (std::size_t k = 0; k < 3; ++k) point[k] += weight * corner[k];
     }
@@ -156,20 +156,20 @@ void BodyAnimation::add_intersections(const std::vector<BodyIntersection>& found
   intersections_ += found.size();
   for (const BodyIntersection& one : found) {
     std::string corners;
-    const auto places_of = [&](MeshElement sort, const BodyElement& of) {
+    const auto positions_of = [&](MeshElement sort, const BodyElement& of) {
       const Body& body = files_.bodies().bodies[of.body];
       const sequence::NamedElement named = files_.named(sort, of);
       const MeshIndex* const numbers = geometry::corners_of(sort, of.element, body.mesh().edges(), body.mesh().faces());
-      std::vector<Triple> places;
+      std::vector<Triple> positions;
       for (std::size_t c = 0; c < named.corner_count(); ++c) {
-        places.push_back(place_of(arc_at(motions[of.body], 0), body.points()[numbers[c]]));
-        const auto& [x, y, z] = places.back();
+        positions.push_back(position_of(arc_at(motions[of.body], 0), body.points()[numbers[c]]));
+        const auto& [x, y, z] = positions.back();
         corners += exact_corner(fmt::format("vertex {} of {}, about", named.vertices[c], named.part), {x, y, z});
       }
-      return places;
+      return positions;
     };
-    const std::vector<Triple> first = places_of(one.first_element, one.first);
-    const Triple point = view::meeting_point(first, places_of(one.second_element, one.second));
+    const std::vector<Triple> first = positions_of(one.first_element, one.first);
+    const Triple point = view::meeting_point(first, positions_of(one.second_element, one.second));
     const auto pair = animation_.pair({element(one.first_element, one.first), element(one.second_element, one.second)});
     const double time = poses_.times[steps_];
     animation_.add_mark({time, point, pair, view::MarkSort::crossing});

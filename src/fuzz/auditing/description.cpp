@@ -91,7 +91,7 @@ const std::map<std::string_view, Setter>& setters() {
       return rest == plain || rest == set;
     };
   };
-  const auto tolerance = [](double Tolerance::*member) {
+  const auto tolerance = [](double EngineTolerance::*member) {
     return [member](Draft& d, std::string_view rest) {
       d.tolerance = true;
       return set_size(d.question.tolerance.*member, rest);
@@ -117,9 +117,9 @@ const std::map<std::string_view, Setter>& setters() {
       {"elements", [](Draft& d, std::string_view rest) { return set_size(d.question.claims.least_element, rest); }},
       {"sizes", [](Draft& d, std::string_view rest) { return set_sizes(d.question.claims, rest); }},
       {"separation", [](Draft& d, std::string_view rest) { return set_size(d.question.separation, rest); }},
-      {"tolerance-length", tolerance(&Tolerance::length)},
-      {"tolerance-relative", tolerance(&Tolerance::relative)},
-      {"tolerance-time", tolerance(&Tolerance::time)}};
+      {"tolerance-length", tolerance(&EngineTolerance::length)},
+      {"tolerance-relative", tolerance(&EngineTolerance::relative)},
+      {"tolerance-time", tolerance(&EngineTolerance::time)}};
   return all;
 }
 

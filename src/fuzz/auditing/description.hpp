@@ -14,7 +14,7 @@ namespace touchstone::fuzz {
 
 /// How wrong an answer may be by the engine's own word: it is right for a query whose first element is moved by at most
 /// `length` plus `relative` of the greatest coordinate, or late by at most `time` of the step.
-struct Tolerance {
+struct EngineTolerance {
   double length = 0;
   double relative = 0;
   double time = 0;
@@ -28,7 +28,7 @@ struct EngineQuestion {
   std::vector<std::string> notes;
   std::vector<Kind> kinds;
   Claims claims;
-  Tolerance tolerance;
+  EngineTolerance tolerance;
   double separation = 0;  ///< contact is a distance of at most this
 };
 
