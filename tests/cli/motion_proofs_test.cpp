@@ -209,7 +209,7 @@ TEST_CASE("mesh --prove says that no pair needs a proof, and refuses a motion in
   const Run far = run_program({"mesh", "--prove", folder.path("far"), before, after});
   CAPTURE(far.out, far.err);
   CHECK(far.status == 0);
-  const std::string none_near = ": no two elements that move against each other come near enough to need a proof";
+  const std::string none_near = ": no two elements that are asked about come near enough to need a proof";
   CHECK(occurrences(far.out, "0 pairs in 1 step proved in " + folder.path("far") + none_near + "\n") == 1);
   check_folder(folder, "far", 1, {"--allow-empty"});
   CHECK(check(folder, "far").status == 1);

@@ -42,7 +42,7 @@ QUERY_NUMBER = re.compile(rb"-?[0-9]{1,%d}" % MAX_QUERY_DIGITS)
 CURVED_NUMBER = re.compile(rb"(-?)(?:0[xX](?=\.?[0-9A-Fa-f])([0-9A-Fa-f]*)(?:\.([0-9A-Fa-f]*))?(?:[pP]([+-]?[0-9]+))?|"
                            rb"(?=\.?[0-9])([0-9]*)(?:\.([0-9]*))?(?:[eE]([+-]?[0-9]+))?)")
 
-NONE_NEAR = "no two elements that move against each other come near enough to need a proof"
+NONE_NEAR = "no two elements that are asked about come near enough to need a proof"
 STARTS = "; whether a first frame intersects itself was not asked"
 
 # Newer versions of Python refuse decimal integers of more than 4,300 digits unless told otherwise.
@@ -744,7 +744,7 @@ class Motion:
             counts.append(counted(len(self.touching), "pair", "pairs") + " asked about touching alone")
         if self.ignored:
             pairs = sorted((min(pair), max(pair)) for pair in self.ignored)
-            shown = "".join(f" {g}-{h}" for g, h in pairs[:10]) + (f" and {len(pairs) - 10} more" if pairs[10:] else "")
+            shown = "".join(f" {g}-{h}" for g, h in pairs)
             groups = counted(len(set(self.groups.values())), "group", "groups")
             pairs = counted(len(pairs), "pair", "pairs")
             counts.append(f"{groups} of vertices, {pairs} of groups not asked about:{shown}")

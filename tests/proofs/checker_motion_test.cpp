@@ -253,7 +253,7 @@ TEST_CASE("motions: the report") {
   const CheckerRun run = check_texts(proofs, {motion});
   INFO(run.text);
   CHECK(run.status == 0);
-  const std::string none_near = "no two elements that move against each other come near enough to need a proof";
+  const std::string none_near = "no two elements that are asked about come near enough to need a proof";
   CHECK(
       run.text.find(": 0 mesh queries in 2 steps with separation max 0x1p-2: 3 frames, 4 vertices, 0 points, 2 edges, "
                     "0 faces, 4 corners are no points; " +

@@ -30,11 +30,13 @@ namespace {
 // A piece of a step is halved while arcs in it leave straight motion by too much beside bodies that are near each other
 // in it. By default that is a small part of a body's width, in pieces that are longer than kShort. A body may turn
 // about an origin far from it: then its arcs leave straight motion by as much as its width, and all of its elements
-// seem to be near. Such pieces are halved further. There are few: the body crosses the width of the other one in little
-// time.
+// seem to be near. Such pieces are halved further. Mostly there are few: the body crosses the width of the other one in
+// little time. Bodies that turn about one far origin together stay near: no piece is short enough for them, so only so
+// many are halved.
 constexpr double kLittle = 1.0 / 256, kMuch = 1.0 / 16;
 constexpr double kShort = 0x1p-8;
 constexpr double kShortest = 0x1p-20;  // as Arc asks
+constexpr int kMostHalved = 1024;      // of the pieces that are no longer than kShort
 
 double width_of(const Body::Impl& body) noexcept {
   double width = 0;
@@ -65,7 +67,7 @@ BoundsByAxis box_on(const Bodies& bodies, BodyIndex number, const Arc& arc) noex
 /// each other in the piece, if there are any. Pieces that begin after `until` are left out.
 template <class Ask>
 void for_each_piece(const Bodies& bodies, const std::vector<RigidMotion>& motions, const BodyPairs& may_be_near,
-                    const std::atomic<double>& until, double from, double to, const Ask& ask) {
+                    const std::atomic<double>& until, double from, double to, int& halved, const Ask& ask) {
   if (from > 0 && from >= until) return;
   const std::vector<Arc> arcs = arcs_of(bodies, motions, from, to);
   BodyPairs near;
@@ -73,10 +75,12 @@ void for_each_piece(const Bodies& bodies, const std::vector<RigidMotion>& motion
     if (broad_phase::meet(box_on(bodies, a, arcs[a]), box_on(bodies, b, arcs[b]))) near.push_back({a, b});
   }
   if (near.empty()) return;
-  if (!is_too_long(bodies, near, arcs, to - from)) return ask(near, arcs);
+  const bool is_short = to - from <= kShort;
+  if ((is_short && halved >= kMostHalved) || !is_too_long(bodies, near, arcs, to - from)) return ask(near, arcs);
+  if (is_short) ++halved;
   const double middle = from / 2 + to / 2;
-  for_each_piece(bodies, motions, near, until, from, middle, ask);
-  for_each_piece(bodies, motions, near, until, middle, to, ask);
+  for_each_piece(bodies, motions, near, until, from, middle, halved, ask);
+  for_each_piece(bodies, motions, near, until, middle, to, halved, ask);
 }
 
 /// Asks about all pairs that may be in contact by a time that may fall meanwhile.
@@ -86,7 +90,8 @@ void for_each_contact(const Bodies& bodies, const CollidingBodies& colliding, co
                       const MeshOptions& options, const std::atomic<double>& until, Wanted wanted, const Tell& tell) {
   const BodyPairs near = near_bodies(bodies, colliding, arcs_of(bodies, motions, 0, 1));
   Candidates candidates(bodies, options);
-  for_each_piece(bodies, motions, near, until, 0, 1, [&](const BodyPairs& now, const std::vector<Arc>& arcs) {
+  int halved = 0;
+  for_each_piece(bodies, motions, near, until, 0, 1, halved, [&](const BodyPairs& now, const std::vector<Arc>& arcs) {
     const std::vector<BodyPair> pairs = candidates.on(now, arcs);
     threads::for_each_range(
         pairs.size(), mesh::kContactsAtATime, options.threads, [&](std::size_t first, std::size_t last) {
@@ -268,7 +273,8 @@ std::vector<BodyPair> candidates(const Bodies& bodies, const std::vector<RigidMo
   rigid::Candidates candidates(bodies, options);
   std::vector<BodyPair> all;
   const std::atomic<double> until{1};
-  rigid::for_each_piece(bodies, motions, near, until, 0, 1,
+  int halved = 0;
+  rigid::for_each_piece(bodies, motions, near, until, 0, 1, halved,
                         [&](const rigid::BodyPairs& now, const std::vector<rigid::Arc>& arcs) {
                           const std::vector<BodyPair> some = candidates.on(now, arcs);
                           all.insert(all.end(), some.begin(), some.end());

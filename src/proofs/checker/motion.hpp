@@ -294,12 +294,8 @@ class MotionFile {
     for (const auto& [vertex, group] : groups_) groups.insert(group);
     std::string text = ", " + counted(groups.size(), "group", "groups") + " of vertices, " +
                        counted(ignored_.size(), "pair", "pairs") + " of groups not asked about:";
-    constexpr std::size_t kShown = 10;
-    std::size_t count = 0;
-    for (const auto& [g, h] : ignored_) {
-      if (++count <= kShown) text += " " + std::to_string(g) + "-" + std::to_string(h);
-    }
-    return count > kShown ? text + " and " + std::to_string(count - kShown) + " more" : text;
+    for (const auto& [g, h] : ignored_) text += " " + std::to_string(g) + "-" + std::to_string(h);
+    return text;
   }
 
   /// Sets the edges that are no sides of faces, and the pairs of vertices that they join.

@@ -137,7 +137,7 @@ class Checker : protected Proofs {
   }
 
  protected:
-  static constexpr char kNoneNear[] = "no two elements that move against each other come near enough to need a proof";
+  static constexpr char kNoneNear[] = "no two elements that are asked about come near enough to need a proof";
 
   /// Sets corners_, whose kind is set, to those of the next query of a file with curved motion. There is a query.
   virtual void read_curved(QueryFile& queries) = 0;

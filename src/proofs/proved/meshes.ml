@@ -210,11 +210,10 @@ let contents m =
     :: some (Hashtbl.length near) (counted (Hashtbl.length near) "pair of neighbours" "pairs of neighbours") in
   let ignored =
     let pairs = List.sort compare (List.of_seq (Hashtbl.to_seq_keys m.groups.ignored_pairs)) in
-    let (first, rest) = split 10 (List.map (fun (g, h) -> Printf.sprintf "%d-%d" g h) pairs) in
-    let more = if rest = [] then "" else Printf.sprintf " and %d more" (List.length rest) in
+    let shown = List.map (fun (g, h) -> Printf.sprintf "%d-%d" g h) pairs in
     let groups = List.length (List.sort_uniq compare (List.of_seq (Hashtbl.to_seq_values m.groups.of_vertices))) in
     let what = counted groups "group" "groups" ^ " of vertices, " ^ counted (List.length pairs) "pair" "pairs" in
-    some (List.length pairs) (what ^ " of groups not asked about: " ^ String.concat " " first ^ more) in
+    some (List.length pairs) (what ^ " of groups not asked about: " ^ String.concat " " shown) in
   String.concat ", "
     ([counted m.frames "frame" "frames"; counted m.size "vertex" "vertices"; elements points "point";
       elements edges "edge"; elements faces "face"]

@@ -110,7 +110,7 @@ let check_queries f (shape, kind) digest name apart line =
   let text separation = (if q.is_curved then " with curved motion" else "") ^ separation in
   (queries, contacts, line, counted queries (kind ^ " query") (kind ^ " queries"), text)
 
-let none_near = "no two elements that move against each other come near enough to need a proof"
+let none_near = "no two elements that are asked about come near enough to need a proof"
 (* The proofs of the pairs of a step. @returns how many pairs and contacts it has, and the next line *)
 let check_pairs f name k near holds m mesh line =
   let what = Printf.sprintf "%s: step %d: " name k in
