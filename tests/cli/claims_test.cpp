@@ -364,6 +364,7 @@ TEST_CASE("faults of claims are named with what would be right") {
       {"toi.json", "[{\"toi\": -1}]", ": [0].toi: where nothing says whether there is contact, it must be in [0, 1]"},
       {"toi.csv", "toi\n-1\n",
        ":2: toi is '-1'; where nothing says whether there is contact, it must be in [0, 1], or"},
+      {"some.json", "[{\"id\": 1, \"hit\": 1}, {\"hit\": 1}]", ": [1]: has no 'query', and the first claim has one"},
       {"both.json", "[{\"hit\": 1, \"contact\": 1}]", ": [0]: has two keys that are a 'contact'"},
       {"text.json", "[{\"hit\": 1, \"toi\": \"soon\"}]", ": [0].toi: is 'soon'; of a contact it must be finite"},
       {"line.jsonl", "{\"hit\": 1}\n{\"hit\": }\n", ": line 2: no JSON: "},

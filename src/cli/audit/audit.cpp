@@ -145,8 +145,13 @@ int run_audit(const AuditOptions& given) {
       }
     }
   }
-  if (audit.rows.empty() && going) throw Error("no engine that can be asked takes queries of these kinds");
-  const bool good = std::none_of(audit.rows.begin(), audit.rows.end(), failed);
+  if (audit.rows.empty() && going) {
+    throw Error(audit.troubles.empty() ? "no engine that can be asked takes queries of these kinds"
+                                       : "no engine answered: " + audit.troubles.substr(0, audit.troubles.find('\n')));
+  }
+  const auto is_silent = [](const AuditedEngine& engine) { return engine.is_given && !engine.missing.empty(); };
+  const bool good = audit.troubles.empty() && std::none_of(audit.rows.begin(), audit.rows.end(), failed) &&
+                    std::none_of(engines.begin(), engines.end(), is_silent);
   const std::string summary =
       fmt::format("{}, judged by exact arithmetic{}\n\n", asked_text(options), going ? "" : "; interrupted") +
       engines_text(engines) + audit.troubles + '\n' + audit_table(audit.rows);

@@ -61,7 +61,7 @@ AuditedEngine given_engine(const std::string& text) {
   if (equals == text.npos || !named || text.find_first_not_of(' ', equals + 1) == text.npos) {
     throw Error("--engine " + io::in_quotes(text) + " must be NAME=COMMAND, the name of small letters, digits and -");
   }
-  return {name, text.substr(equals + 1), {}, {}};
+  return {name, text.substr(equals + 1), {}, {}, true};
 }
 
 bool is_named(const AuditedEngine& engine, const std::string& name) {

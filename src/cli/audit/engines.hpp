@@ -14,6 +14,7 @@ struct AuditedEngine {
   std::string command;  ///< of its program, without a question; empty: there is none
   std::string missing;  ///< why it cannot be asked; empty: it can
   std::vector<fuzz::EngineQuestion> questions;
+  bool is_given = false;  ///< by --engine: then it is a fault that it cannot be asked
 };
 
 /// Those that engines.txt lists, in libexec/touchstone/engines beside the program's folder or in its build folder, and

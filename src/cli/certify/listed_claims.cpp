@@ -127,6 +127,10 @@ class JsonClaims {
     if (at(ClaimColumn::separation)) {
       claim.separation = separation_of(*at(ClaimColumn::separation), at(ClaimColumn::metric));
     }
+    if (!all_.claims.empty() && all_.claims.front().query.has_value() != at(ClaimColumn::query).has_value()) {
+      node.fail(at(ClaimColumn::query) ? "has a 'query', and the first claim has none"
+                                       : "has no 'query', and the first claim has one");
+    }
     if (at(ClaimColumn::query)) claim.query = at(ClaimColumn::query)->whole_number(0, std::uint64_t{1} << 53);
     if (claim.contact && at(ClaimColumn::toi)) claim.toi = time_of(*at(ClaimColumn::toi));
     all_.claims.push_back(claim);
