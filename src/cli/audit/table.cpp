@@ -49,7 +49,7 @@ std::string claims_text(const fuzz::EngineQuestion& q) {
   if (std::isfinite(c.greatest)) text += fmt::format(", greatest coordinate from {} to {}", c.least, c.greatest);
   if (c.least_element > 0) text += fmt::format(", no element below {} of the extent", c.least_element);
   if (q.separation > 0) text += fmt::format("; contact at distance {}", q.separation);
-  const fuzz::Tolerance& t = q.tolerance;
+  const fuzz::EngineTolerance& t = q.tolerance;
   text += "; tolerance";
   if (t.length > 0) text += fmt::format(" {}", t.length);
   if (t.relative > 0)
