@@ -15,6 +15,8 @@
 # SPDX-License-Identifier: MIT
 set -uo pipefail
 page=$1 root=$2 cmake=$4
+# The README is followed first, and in a new home: folders of an earlier run would be in the way.
+[[ $page != README.md || ! -d $3/.follow ]] || rm -rf -- "$3"
 mkdir -p -- "$3"
 HOME=$(cd -- "$3" && pwd -P)
 export HOME
