@@ -143,8 +143,7 @@ void MotionProofs::commit() {
 }
 
 std::string MotionProofs::summary() const {
-  const std::string answer = pairs_ == 0
-                                 ? "no two elements that are asked about come near enough to need a proof"
+  const std::string answer = pairs_ == 0      ? "no two elements that are asked about come near enough to need a proof"
                              : contacts_ == 0 ? "no contact"
                                               : counted(contacts_, "contact");
   return fmt::format("{} in {} proved in {}: {}\n", counted(pairs_, "pair"), counted(frames_ - 1, "step"),
