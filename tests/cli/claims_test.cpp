@@ -87,8 +87,8 @@ TEST_CASE("claims are read as solvers write them") {
       {"told.csv", "1,0.5\n0,nan\n1,0.25\n", {"--columns", "contact,toi"}},
       {"told_past_header.csv", "answer,ms,when\ntrue,7,0.5\nfalse,7,\ntrue,7,0.25\n", {"--columns", "hit,-,toi"}},
       {"quoted.csv", "\"query\", \"contact\" ,\"toi\"\r\n0,\"1\", \"0.5\"\r\n1,0,\r\n2,1,0.25\r\n"},
-      {"objects.json", R"([{"query": 0, "contact": true, "toi": 0.5}, {"hit": 0, "time": Infinity},
-                           {"contact": 1.0, "toi": "0x1p-2"}])"},
+      {"objects.json", R"([{"query": 0, "contact": true, "toi": 0.5}, {"id": 1, "hit": 0, "time": Infinity},
+                           {"index": 2, "contact": 1.0, "toi": "0x1p-2"}])"},
       {"lines.jsonl",
        "{\"contact\": true, \"toi\": 0.5}\n\n{\"contact\": false, \"toi\": NaN}\n{\"contact\": 1, "
        "\"toi\": 0.25}\n"},
