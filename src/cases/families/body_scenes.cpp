@@ -23,7 +23,8 @@ double some_coordinate(Rng& random, bool coarse) {
   return coarse ? std::floor(4 * x) / 4 : x;
 }
 
-/// Faces, edges in no face and loose points, at random.
+}  // namespace
+
 BodyShape random_shape(Rng& random, bool coarse, bool radii) {
   if (random.one_in(3)) {
     const auto half = [&] { return 0.25 + std::fabs(some_coordinate(random, coarse)) / 2; };
@@ -44,6 +45,8 @@ BodyShape random_shape(Rng& random, bool coarse, bool radii) {
   for (MeshIndex i = 0; i < count; ++i) shape.points.push_back(some_point(random, coarse, 0.75));
   return shape;
 }
+
+namespace {
 
 Quaternion some_orientation(Rng& random, bool coarse) {
   Quaternion q{};

@@ -51,6 +51,9 @@ BodyScene body_scene(BodyFamily family, std::uint64_t seed, std::uint64_t index)
 /// A scene of BodyFamily::bodies_random, of two or three bodies.
 BodyScene random_body_scene(seeded::Rng& random);
 
+/// Faces, edges in no face and loose points, or a box. @param radii  whether vertices may have radii
+BodyShape random_shape(seeded::Rng& random, bool coarse, bool radii);
+
 /// A point within `size` along each axis. @param coarse  whether its coordinates have few bits
 Vec3 some_point(seeded::Rng& random, bool coarse, double size);
 
