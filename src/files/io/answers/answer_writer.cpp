@@ -85,7 +85,7 @@ void append_answer_line(std::string& out, std::string_view file_string, std::uin
   const auto add = [&out, &answer](const char* key, const std::string& value) {
     out.append(",\"").append(key).append("\":").append(answer.contact ? value : "null");
   };
-  const auto quoted = [](std::string_view name) { return "\"" + std::string(name) + "\""; };
+  const auto quoted = [](std::string_view name) { return std::string("\"").append(name) + "\""; };
   out.append("{\"file\":").append(file_string).append(",\"query\":").append(std::to_string(query));
   out.append(",\"contact\":").append(answer.contact ? "true" : "false");
   add("toi", number_text(answer.toi, Numbers::decimals));

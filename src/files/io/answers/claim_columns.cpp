@@ -90,7 +90,8 @@ std::string fault_of_column_count(std::size_t count, const ClaimColumns& columns
   std::string names;
   for (std::size_t i = 0; i < count && i < columns.size() + 3; ++i) {
     const bool named = i < columns.size() && columns[i] != ClaimColumn::unread;
-    names += (i == 0 ? "" : ",") + std::string(named ? claim_column_name(columns[i]) : "-");
+    if (i > 0) names += ',';
+    names += named ? claim_column_name(columns[i]) : "-";
   }
   return text + "; a - names one that is not read, for example --columns " + names +
          (count > columns.size() + 3 ? ",..." : "");
