@@ -91,13 +91,16 @@ TEST_CASE("proofs are about the parts that are asked about, and the checker says
     CHECK(without == (status == 0 ? 1 : 0));
   };
   prove({}, 1, ": 2 frames, 10 vertices, 10 points, 13 edges, 8 faces\n");
-  prove({"--between-parts"}, 1, "8 faces, 2 groups of vertices, 2 pairs of groups not asked about: 0-0 1-1\n");
+  prove({"--between-parts"}, 1,
+        "8 faces, 2 groups of vertices, 2 pairs of groups not asked about: 0-0 1-1, where 0 has vertices 0 to 3, 1 has "
+        "vertices 4 to 7\n");
   prove({"--between-parts", "--ignore", "base,top"}, 0,
-        "1 group of vertices, 1 pair of groups not asked about: 0-0; no two elements ");
-  prove({"--ignore", "base,top"}, 1, "2 groups of vertices, 1 pair of groups not asked about: 0-1\n");
+        "1 group of vertices, 1 pair of groups not asked about: 0-0, where 0 has vertices 0 to 7; no two elements ");
+  prove({"--ignore", "base,top"}, 1,
+        "2 groups of vertices, 1 pair of groups not asked about: 0-1, where 0 has vertices 0 to 3, 1 has vertices ");
   prove({"--only-between", "base,top"}, 1,
-        "3 groups of vertices, 5 pairs of groups not asked about: 0-0 0-2 1-1 1-2 2-2\n");
-  prove({"--only-between", "top,top"}, 1, "2 groups of vertices, 2 pairs of groups not asked about: 0-0 0-1\n");
+        "3 groups of vertices, 5 pairs of groups not asked about: 0-0 0-2 1-1 1-2 2-2, where ");
+  prove({"--only-between", "top,top"}, 1, "2 groups of vertices, 2 pairs of groups not asked about: 0-0 0-1, where ");
   // A motion without the line that leaves a pair out asks for more proofs.
   std::string motion = folder.read("p2/motion.txt");
   motion.erase(motion.find("ignore 0 0\n"), 11);

@@ -129,7 +129,8 @@ TEST_CASE("a scene of moving parts has query files, a page and proofs") {
   const Run same = compared({scene.plate, scene.lids});
   CAPTURE(same.out, same.err);
   CHECK(same.status == 0);
-  CHECK(occurrences(same.out, ", whose frames are those of the 5 files") == 1);
+  CHECK(occurrences(same.out, ", whose frames are those of the 5 files: ") == 1);
+  CHECK(occurrences(same.out, " at rest (vertices 0 to ") == 1);
   const auto refused = [&](const std::vector<std::string>& patterns, const std::string& words) {
     const Run other = compared(patterns);
     CAPTURE(words, other.err);

@@ -442,7 +442,7 @@ TEST_CASE("mesh: a checker cuts the polygons of frames as --triangulate does") {
   const Run same = compared("f-*.obj");
   CAPTURE(same.out, same.err);
   CHECK(same.status == 0);
-  CHECK(occurrences(same.out, "5 faces, whose frames are those of the 3 files") == 1);
+  CHECK(occurrences(same.out, "5 faces, whose frames are those of the 3 files: ") == 1);
   for (const bool big_endian : {false, true}) {
     for (int i = 0; i < 3; ++i) folder.write("p-" + std::to_string(i) + ".ply", ply_of(frame(i), "float", big_endian));
     CHECK(compared("p-*.ply").status == 0);
@@ -479,7 +479,8 @@ TEST_CASE("mesh: a checker compares a motion with the frames, bit by bit") {
   const Run same = compared("f-*.obj");
   CAPTURE(same.out, same.err);
   CHECK(same.status == 0);
-  CHECK(occurrences(same.out, "2 faces, whose frames are those of the 12 files") == 1);
+  CHECK(occurrences(same.out, "2 faces, whose frames are those of the 12 files: " + folder.path("f-0.obj") + " to " +
+                                  folder.path("f-11.obj") + " (vertices 0 to 5); no two elements ") == 1);
   for (const std::string type : {"float", "double"}) {
     for (const bool big_endian : {false, true}) {
       for (int i = 0; i < 12; ++i) folder.write("p-" + std::to_string(i) + ".ply", ply_of(frame(i), type, big_endian));
@@ -536,16 +537,19 @@ TEST_CASE("mesh: a checker compares a motion with the frames, bit by bit") {
   with_header("uchar q", "uchar y", "the property \"y\" is there twice");
   folder.write("p-3.ply", "ply\nformat ascii 1.0\nend_header\n");
   refused(2, "p-3.ply: --frames reads binary PLY alone, and OBJ", "p-*.ply");
-  // A motion that leaves out a side, or a corner, under a digest of its own.
+  // A motion that leaves out a side, or a corner, or has an element more, under a digest of its own.
   std::remove(folder.path("f-12.obj").c_str());
   const std::string motion = folder.read("out/motion.txt"), proofs = folder.read("out/proofs.txt");
-  for (const auto& [line, message] :
-       {std::pair{"edge 0 1\n", "1 side is no edge"}, {"point 1\n", "1 corner is no point"}}) {
-    std::string less = motion, with_digest = proofs;
-    less.erase(less.find(line), std::string(line).size());
-    folder.write("out/motion.txt", less);
-    with_digest.replace(with_digest.find("file mesh ") + 10, 64, io::sha256(less));
+  const auto with_motion = [&](const std::string& line, const std::string& instead, const std::string& message) {
+    std::string other = motion, with_digest = proofs;
+    other.replace(other.find(line), line.size(), instead);
+    folder.write("out/motion.txt", other);
+    with_digest.replace(with_digest.find("file mesh ") + 10, 64, io::sha256(other));
     folder.write("out/proofs.txt", with_digest);
     refused(1, message);
-  }
+  };
+  with_motion("edge 0 1\n", "", "1 side is no edge");
+  with_motion("point 1\n", "", "1 corner is no point");
+  with_motion("frame\n", "edge 0 3\nframe\n", "edge 6 of the motion is no line of the files and no side");
+  with_motion("frame\n", "face 0 1 3\nedge 0 3\nedge 1 3\nframe\n", "face 2 of the motion is none of the files");
 }

@@ -742,12 +742,11 @@ class Motion:
             counts.append(f"{on_bodies} on {counted(self.body_count, 'body', 'bodies')}")
         if self.touching:
             counts.append(counted(len(self.touching), "pair", "pairs") + " asked about touching alone")
+            apart = self.touching_apart()
+            if apart:
+                counts.append(f"{apart} of them joined by no edges")
         if self.ignored:
-            pairs = sorted((min(pair), max(pair)) for pair in self.ignored)
-            shown = "".join(f" {g}-{h}" for g, h in pairs)
-            groups = counted(len(set(self.groups.values())), "group", "groups")
-            pairs = counted(len(pairs), "pair", "pairs")
-            counts.append(f"{groups} of vertices, {pairs} of groups not asked about:{shown}")
+            counts += self.ignored_groups()
         corners = {vertex for sort in (b"edge", b"face") for element in self.elements[sort] for vertex in element}
         corners -= {vertex for vertex, in self.elements[b"point"]}
         sides = {frozenset(side) for face in self.elements[b"face"] for side in itertools.combinations(face, 2)}
@@ -757,6 +756,39 @@ class Motion:
         if sides:
             counts.append(counted(len(sides), "side is no edge", "sides are no edges"))
         return ", ".join(counts)
+
+    def touching_apart(self):
+        """How many pairs of the lines `touching` are not in one connected part of the edges."""
+        part = {}  # the vertices that edges join to a vertex
+        for v, w in self.elements[b"edge"]:
+            less, more = sorted((part.get(v, [v]), part.get(w, [w])), key=len)
+            if less is not more:
+                more += less
+                part.update((vertex, more) for vertex in more)
+        sorts = [(b"edge", b"edge"), (b"point", b"face"), (b"point", b"edge"), (b"point", b"point")]
+        apart = 0
+        for kind, *numbers in self.touching:
+            two = [self.elements[sort][number:number + 1] for sort, number in zip(sorts[kind], numbers)]
+            parts = [min(part.get(element[0][0], element[0][:1])) if element else None for element in two]
+            apart += parts[0] != parts[1]
+        return apart
+
+    def ignored_groups(self):
+        members = {}
+        for vertex, group in sorted(self.groups.items()):
+            members.setdefault(group, []).append(vertex)
+        pairs = sorted((min(pair), max(pair)) for pair in self.ignored)
+        shown = "".join(f" {g}-{h}" for g, h in pairs)
+        yield f"{counted(len(members), 'group', 'groups')} of vertices"
+        yield f"{counted(len(pairs), 'pair', 'pairs')} of groups not asked about:{shown}"
+        word = "where "
+        for group in sorted(set(itertools.chain(*pairs))):
+            vertices = set(members.get(group, []))
+            starts = sorted(v for v in vertices if v - 1 not in vertices)
+            ends = sorted(v for v in vertices if v + 1 not in vertices)
+            runs = [f"vertex {v}" if v == w else f"vertices {v} to {w}" for v, w in zip(starts, ends)]
+            yield f"{word}{group} has {' and '.join(runs) or 'no vertex'}"
+            word = ""
 
     def pairs(self, start, end, reach):
         """A sweep along the x axis: at each box, the boxes before it whose end is not yet left behind."""
@@ -1018,6 +1050,7 @@ def check(proofs, proofs_name, files, report=lambda header: None, allow_empty=Fa
                 raise BadInput(f"{name}: there is no query")
         require(digest in (b"-", rows.digest()), f"{name}: the proofs name another digest, {digest.decode()}")
         count = sum(count for count, _ in counts)
+        about += "; the proofs name no digest of the file" if digest == b"-" else ""
         report(f"{name}: {counted(count, f'{kind.decode()} query', f'{kind.decode()} queries')}{about}")
         queries += sum(count for count, _ in counts)
         contacts += sum(count for _, count in counts)

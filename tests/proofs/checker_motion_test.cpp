@@ -257,9 +257,33 @@ TEST_CASE("motions: the report") {
   CHECK(
       run.text.find(": 0 mesh queries in 2 steps with separation max 0x1p-2: 3 frames, 4 vertices, 0 points, 2 edges, "
                     "0 faces, 4 corners are no points; " +
-                    none_near) != std::string::npos);
+                    none_near + "; the proofs name no digest of the file\n") != std::string::npos);
   CHECK(run.text.find("\n0 queries checked: " + none_near +
                       "; whether a first frame intersects itself was not asked\n") != std::string::npos);
+}
+
+TEST_CASE("motions: the report names the vertices of groups, and counts pairs that are near along no edges") {
+  const std::string frame = "frame\n0 0 0\n1 0 0\n2 0 0\n9 0 0\n19 0 0\n29 0 0\n";
+  const auto report = [&](const std::string& lines) {
+    return check_texts(proofs_of("step 0\n", "0 0"),
+                       {kFirst + "vertices 6\npoint 3\npoint 4\npoint 5\nedge 0 1\nedge 1 2\n" + lines + frame + frame})
+        .text;
+  };
+  const auto says = [&](const std::string& lines, const std::string& words) {
+    const std::string text = report(lines);
+    CAPTURE(lines, words, text);
+    CHECK(text.find("2 edges, 0 faces" + words + "; no two elements that are ") != std::string::npos);
+  };
+  const std::string corners = ", 3 corners are no points";
+  says("", corners);
+  says("group 0 7\ngroup 4 7\ngroup 5 7\ngroup 1 9\ngroup 2 8\nignore 8 7\nignore 5 5\n",
+       ", 3 groups of vertices, 2 pairs of groups not asked about: 5-5 7-8, where 5 has no vertex, "
+       "7 has vertex 0 and vertices 4 to 5, 8 has vertex 2" +
+           corners);
+  says("touching edge-edge 0 1\n", ", 1 pair asked about touching alone" + corners);
+  says("touching edge-edge 0 1\ntouching point-edge 0 1\ntouching point-point 0 1\n",
+       ", 3 pairs asked about touching alone, 2 of them joined by no edges" + corners);
+  says("touching vertex-face 0 7\n", ", 1 pair asked about touching alone, 1 of them joined by no edges" + corners);
 }
 
 TEST_CASE("motions: proofs of nothing are refused") {

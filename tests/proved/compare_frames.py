@@ -11,6 +11,7 @@ N files of which some bytes or lines have changed. The same arguments give the s
 
 import argparse
 import collections
+import hashlib
 import os
 import random
 import struct
@@ -119,6 +120,8 @@ def compare(arguments, folder):
         run(1, *good)
         write(path(name), before)
     run(0, *good)
+    extra_elements(both, path, good)
+    run(0, *good)
     files = ["low/f-1.obj", "high.d/1.ply", "high.d/b02.ply", "plate.obj"]
     rng = random.Random(7)
     for _ in range(arguments.mutants):
@@ -130,6 +133,27 @@ def compare(arguments, folder):
             ["high.d/[0-9]*.ply", "high.d/b*.ply"])))
         write(path(name), before)
     return both
+
+
+def extra_elements(both, path, good):
+    """Motions with an element that the files have not, or a line `touching` or groups more, with their own digests."""
+    texts = {}
+    for name in ("motion.txt", "proofs.txt"):
+        with open(path("proved/" + name), "rb") as stream:
+            texts[name] = stream.read()
+    for lines, status in ((b"edge 0 9\n", 1), (b"face 0 1 9\nedge 0 9\nedge 1 9\n", 1), (b"edge 1 0\n", 0),
+                          (b"touching vertex-face 0 1\ntouching vertex-face 3 1\n", 0),
+                          (b"group 0 3\ngroup 1 3\ngroup 3 3\ngroup 7 4\nignore 4 3\nignore 3 5\n", 0)):
+        motion = texts["motion.txt"].replace(b"frame\n", lines + b"frame\n", 1)
+        old = hashlib.sha256(texts["motion.txt"]).hexdigest().encode()
+        new = hashlib.sha256(motion).hexdigest().encode()
+        assert old in texts["proofs.txt"]
+        for digest in (new, b"-"):
+            write(path("proved/motion.txt"), motion)
+            write(path("proved/proofs.txt"), texts["proofs.txt"].replace(old, digest))
+            both.run("extra", "--allow-empty", *frames_option(*good), expected=status)
+    for name, text in texts.items():
+        write(path("proved/" + name), text)
 
 
 WORDS = [b"f 1 2 3\n", b"f -1 -2 -3\n", b"f 1/2/3 2//4 3\n", b"l 1 2\n", b"p 1\n", b"v 1 2 3 4\n", b"v 1 2\n", b"f 1 2\n",

@@ -50,7 +50,7 @@ class FullChecker : public Checker {
     }
     std::string text = counted(count, "mesh query", "mesh queries") + " in " + counted(steps, "step", "steps") +
                        separation_.text + ": " + motion.contents();
-    if (!frames_.empty()) text += ", whose frames are those of the " + counted(frames_.file_count(), "file", "files");
+    text += frames_.summary();
     if (count == 0) text += std::string("; ") + kNoneNear;
     return text;
   }
@@ -97,9 +97,9 @@ constexpr char kUsage[] =
     "Checks the proofs of `touchstone prove` against their query files or motion files, in their order. Each file\n"
     "must have the digest that the proofs name.\n"
     "  --allow-empty      accept a motion whose elements never come near enough to need a proof\n"
-    "  --frames PATTERN   the frames of the motion must be these files, OBJ or binary PLY, bit by bit, and all of "
-    "their\n"
-    "                     triangles, lines and points its elements; in quotes, such as 'cloth-*.obj'. Once for each\n"
+    "  --frames PATTERN   the frames of the motion must be these files, OBJ or binary PLY, bit by bit, and "
+    "its\n"
+    "                     elements their triangles, lines and points; in quotes, such as 'cloth-*.obj'. Once for each\n"
     "                     part of a scene, in the order of the parts; one file is a part at rest then\n"
     "Exit status: 0 every proof holds, 1 some proof does not, is about other files, or none was needed, 2 bad usage, "
     "a\n"

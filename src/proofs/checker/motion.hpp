@@ -30,6 +30,12 @@ struct Radius {
   std::string word;
 };
 
+/// "vertex 5", "vertices 0 to 7".
+inline std::string vertices(std::size_t first, std::size_t last) {
+  return first == last ? "vertex " + std::to_string(first)
+                       : "vertices " + std::to_string(first) + " to " + std::to_string(last);
+}
+
 /// Two numbers in ascending order.
 inline std::array<std::uint32_t, 2> side(std::uint32_t v, std::uint32_t w) { return {std::min(v, w), std::max(v, w)}; }
 
@@ -141,8 +147,7 @@ class MotionFile {
       text +=
           ", " + counted(elements_[4].size(), "vertex", "vertices") + " on " + counted(body_count_, "body", "bodies");
     }
-    if (!touching_.empty()) text += ", " + counted(touching_.size(), "pair", "pairs") + " asked about touching alone";
-    text += ignored();
+    text += touching() + ignored();
     const auto [corners, sides] = undeclared();
     if (corners > 0) text += ", " + counted(corners, "corner is no point", "corners are no points");
     if (sides > 0) text += ", " + counted(sides, "side is no edge", "sides are no edges");
@@ -287,14 +292,52 @@ class MotionFile {
     }
   }
 
-  /// ", 2 groups of vertices, 1 pair of groups not asked about: 0-1", if there are some.
+  /// ", 4 pairs asked about touching alone, 1 of them joined by no edges", if there are some.
+  std::string touching() const {
+    if (touching_.empty()) return "";
+    std::vector<std::uint32_t> root(count_);  // of trees of vertices that edges join
+    std::iota(root.begin(), root.end(), 0U);
+    const auto root_of = [&](std::uint32_t v) {
+      while (root[v] != v) v = root[v] = root[root[v]];
+      return v;
+    };
+    for (const Element& edge : elements_[1]) root[root_of(edge.vertices[0])] = root_of(edge.vertices[1]);
+    const auto one_of = [&](std::size_t size, std::size_t number) {  // a vertex of the element, which may not exist
+      const std::vector<Element>& elements = elements_[size - 1];
+      return number < elements.size() ? root_of(elements[number].vertices[0]) : kNoGroup;
+    };
+    const auto apart = std::count_if(touching_.begin(), touching_.end(), [&](const Numbers& pair) {
+      return one_of(pair[0], pair[2]) != one_of(pair[1], pair[3]);
+    });
+    return ", " + counted(touching_.size(), "pair", "pairs") + " asked about touching alone" +
+           (apart > 0 ? ", " + std::to_string(apart) + " of them joined by no edges" : "");
+  }
+
+  /// ", 2 groups of vertices, 1 pair of groups not asked about: 0-1, where 0 has vertices 0 to 7, 1 vertex 8", if there
+  /// are some.
   std::string ignored() const {
     if (ignored_.empty()) return "";
-    std::set<std::uint32_t> groups;
-    for (const auto& [vertex, group] : groups_) groups.insert(group);
+    std::map<std::uint32_t, std::vector<std::array<std::uint32_t, 2>>> groups;  // their runs of vertices
+    for (const auto& [vertex, group] : groups_) {
+      auto& runs = groups[group];
+      if (runs.empty() || runs.back()[1] + 1 < vertex) runs.push_back({vertex, vertex});
+      runs.back()[1] = vertex;
+    }
     std::string text = ", " + counted(groups.size(), "group", "groups") + " of vertices, " +
                        counted(ignored_.size(), "pair", "pairs") + " of groups not asked about:";
-    for (const auto& [g, h] : ignored_) text += " " + std::to_string(g) + "-" + std::to_string(h);
+    std::set<std::uint32_t> named;
+    for (const auto& [g, h] : ignored_) {
+      text += " " + std::to_string(g) + "-" + std::to_string(h);
+      named.insert({g, h});
+    }
+    const char* before = ", where ";
+    for (const std::uint32_t group : named) {
+      text += before + std::to_string(group) + " has ";
+      before = ", ";
+      const auto& runs = groups[group];
+      if (runs.empty()) text += "no vertex";
+      for (std::size_t i = 0; i < runs.size(); ++i) text += (i > 0 ? " and " : "") + vertices(runs[i][0], runs[i][1]);
+    }
     return text;
   }
 

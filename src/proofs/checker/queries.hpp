@@ -121,7 +121,10 @@ class Checker : protected Proofs {
     if (words_ != Words{"touchstone-proofs", "1"}) throw lines_.bad("the first line must be \"touchstone-proofs 1\"");
     next();
     std::string report;
-    for (const std::string& file : files) report += printable(file) + ": " + check_file(file) + "\n";
+    for (const std::string& file : files) {
+      report += printable(file) + ": " + check_file(file);
+      report += has_digest_ ? "\n" : "; the proofs name no digest of the file\n";
+    }
     if (words_ != Words{"end", std::to_string(queries_), std::to_string(contacts_)}) {
       throw expected("\"end\" and the numbers of queries and contacts, " + std::to_string(queries_) + " and " +
                      std::to_string(contacts_) + ", after the proofs of the last query file");
@@ -157,7 +160,8 @@ class Checker : protected Proofs {
   /// Checks proofs by `check`, and that the lines are those of the file whose digest they name. They may not name one.
   template <class Check>
   void check_bound(Lines& lines, const std::string& name, const std::string& digest, const Check& check) {
-    const auto differs = [&] { return digest != "-" && lines.digest() != digest; };
+    has_digest_ = digest != "-";
+    const auto differs = [&] { return has_digest_ && lines.digest() != digest; };
     const std::string another = name + ": the proofs are about another file: they name the digest " + digest;
     try {
       check();
@@ -172,6 +176,8 @@ class Checker : protected Proofs {
   unsigned long long queries_ = 0;
 
  private:
+  bool has_digest_ = false;  ///< of the current file
+
   /// @returns what is proved: the kind of the queries and their separation too, because the proofs say which they are
   std::string check_file(const std::string& name) {
     read_separation();

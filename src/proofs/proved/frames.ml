@@ -234,21 +234,22 @@ let part pattern =
   { files = Array.of_list (files_of pattern); name = "";
     file = { positions = [||]; triangles = []; lines = []; points = [] } }
 
+let is_at_rest parts p = Array.length p.files = 1 && List.length parts > 1
 (* @returns a function of a frame and its number: it raises Rejected unless that is the files of the parts, bit by bit,
-   with all of their triangles, lines and points, and the sides and corners of these, among the elements *)
+   and the elements are their triangles, lines and points, with the sides and corners of these; other vertices may be
+   points, too *)
 let comparison parts m =
   let require holds reason = if not holds then raise (Rejected (reason ())) in
+  let sorted e = List.sort compare (List.map Z.to_int e.vertices) in
   let table elements =
     let table = Hashtbl.create 64 in
-    List.iter (fun e -> Hashtbl.replace table (List.sort compare (List.map Z.to_int e.vertices)) ()) elements;
+    List.iter (fun e -> Hashtbl.replace table (sorted e) ()) elements;
     table in
-  let { points; edges; faces; _ } : mesh = m.mesh in
-  let points = table points and edges = table edges and faces = table faces in
-  let is_at_rest p = Array.length p.files = 1 && List.length parts > 1 in
-  let compare_part (frame : frame) number first p =
-    require (number < Array.length p.files || is_at_rest p) (fun () ->
+  let points = table m.mesh.points and edges = table m.mesh.edges and faces = table m.mesh.faces in
+  let compare_part (frame : frame) number of_files first p =
+    require (number < Array.length p.files || is_at_rest parts p) (fun () ->
       "the motion has more frames than --frames names files");
-    let name = p.files.(if is_at_rest p then 0 else number) in
+    let name = p.files.(if is_at_rest parts p then 0 else number) in
     if p.name <> name then p.file <- read_mesh name;
     p.name <- name;
     let what reason () = Printf.sprintf "%s and frame %d: %s" name number reason in
@@ -258,24 +259,43 @@ let comparison parts m =
     Array.iteri (fun i x ->
       require (compared x frame.rows.(first + i / 3).(i mod 3) = 0) (fun () ->
         what (Printf.sprintf "the coordinates of vertex %d, counted from 0, differ" (i / 3)) ())) positions;
-    let is_in table vertices = Hashtbl.mem table (List.sort compare (List.map ((+) first) vertices)) in
+    let is_in table vertices =
+      let key = List.sort compare (List.map ((+) first) vertices) in
+      Hashtbl.replace of_files key ();
+      Hashtbl.mem table key in
     List.iteri (fun i face -> require (is_in faces face) (fun () ->
-      what (Printf.sprintf "face %d of the file, counted from 0, is none of the motion" i) ())) triangles;
+      what (Printf.sprintf "face %d of the file, counted from 0, is none of the motion" i) ());
+      List.iter (fun side -> ignore (is_in edges side)) (sides (face @ [List.hd face]))) triangles;
     List.iter (fun line -> require (is_in edges line) (what "a line of the file is no edge of the motion")) lines;
     List.iter (fun v -> require (is_in points [v]) (what "a point of the file is none of the motion")) some;
     first + count in
   fun frame number -> if parts <> [] then begin
     require (m.bodies = 0) (fun () -> "a motion with bodies has poses; --frames compares vertices");
-    let count = List.fold_left (compare_part frame number) 0 parts in
+    let of_files = Hashtbl.create 64 in
+    let count = List.fold_left (compare_part frame number of_files) 0 parts in
     require (count = m.size) (fun () ->
       Printf.sprintf "the files and frame %d: %d vertices, and %d" number count m.size);
     let (corners, sides) = undeclared m in
     require (corners = 0) (fun () -> "the files: " ^ counted corners "corner is no point" "corners are no points");
-    require (sides = 0) (fun () -> "the files: " ^ counted sides "side is no edge" "sides are no edges")
+    require (sides = 0) (fun () -> "the files: " ^ counted sides "side is no edge" "sides are no edges");
+    (* Another edge would take its ends out of the loose points, and another face its sides out of the wires. *)
+    let are_known what = List.iter (fun e -> require (Hashtbl.mem of_files (sorted e)) (fun () ->
+      Printf.sprintf "the files and frame %d: %s %s of the motion is none of theirs" number what
+        (Z.to_string e.index))) in
+    are_known "face" m.mesh.faces;
+    are_known "edge" m.mesh.edges
   end
 let check_count parts frames =
   if List.exists (fun p -> Array.length p.files > frames) parts then
     raise (Rejected "--frames names more files than the motion has frames")
 let summary parts =
+  let describe (first, texts) p =
+    let count = Array.length p.files and size = Array.length p.file.positions / 3 in
+    let last = if count > 1 then " to " ^ printable p.files.(count - 1) else "" in
+    let rest = if is_at_rest parts p then " at rest" else "" in
+    let which = if size = 0 then "no vertex" else vertices first (first + size - 1) in
+    (first + size, Printf.sprintf "%s%s%s (%s)" (printable p.files.(0)) last rest which :: texts) in
   let count = List.fold_left (fun n p -> n + Array.length p.files) 0 parts in
-  if parts = [] then "" else ", whose frames are those of the " ^ counted count "file" "files"
+  let texts = List.rev (snd (List.fold_left describe (0, []) parts)) in
+  if parts = [] then ""
+  else ", whose frames are those of the " ^ counted count "file" "files" ^ ": " ^ String.concat ", " texts

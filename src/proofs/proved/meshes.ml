@@ -12,7 +12,8 @@ type groups = { of_vertices : (int, int) Hashtbl.t; ignored_pairs : (int * int, 
 (* A motion in the step from one frame to the next one; `line` is the one after them.
    All separations are multiples of 2^finest. *)
 type motion = { f : lines; size : int; mesh : mesh; on_bodies : (int, int * rational_point) Hashtbl.t; bodies : int;
-                radii : radii option; groups : groups; touching : int; finest : int; fixed_vertices : int; frames : int;
+                radii : radii option; groups : groups; touching : ((int * Z.t) * (int * Z.t), unit) Hashtbl.t;
+                finest : int; fixed_vertices : int; frames : int;
                 before : frame; after : frame; line : string list }
 
 let most = 1 lsl 30 - 1
@@ -134,7 +135,7 @@ let opened_motion name apart =
   let ignored g h = Hashtbl.mem groups.ignored_pairs (Z.to_int (Z.min g h), Z.to_int (Z.max g h)) in
   let mesh = { points; edges; faces; fixed; group; ignored; asked; most = rational (m, e) } in
   let none = { poses = [||]; rows = [||] } in
-  let m = { f; size; mesh; on_bodies; bodies; radii; groups; touching = Hashtbl.length touching; finest;
+  let m = { f; size; mesh; on_bodies; bodies; radii; groups; touching; finest;
             fixed_vertices = List.length all_fixed; frames = 0; before = none; after = none; line } in
   let read = read_frame (Hashtbl.mem still) in
   (read (read m), fun m -> if m.line = [] then None else Some (read m))
@@ -193,6 +194,41 @@ let undeclared m =
   List.iter (fun e -> List.iter (Hashtbl.remove corners) e.vertices) points;
   List.iter (fun e -> Hashtbl.remove sides (side (List.hd e.vertices) (List.nth e.vertices 1))) edges;
   (Hashtbl.length corners, Hashtbl.length sides)
+let vertices first last =
+  if first = last then Printf.sprintf "vertex %d" first else Printf.sprintf "vertices %d to %d" first last
+(* How many pairs are asked about touching alone, and how many of them no edges join. *)
+let touching_pairs m =
+  let root = Array.init m.size Fun.id in  (* of trees of vertices that edges join *)
+  let rec root_of v = if root.(v) = v then v else begin root.(v) <- root.(root.(v)); root_of root.(v) end in
+  let join e = match List.map Z.to_int e.vertices with
+    | [v; w] -> root.(root_of v) <- root_of w
+    | _ -> () in
+  List.iter join m.mesh.edges;
+  let sorts = Array.map Array.of_list [| m.mesh.points; m.mesh.edges; m.mesh.faces |] in
+  let one_of (size, index) =  (* a vertex of the element, which may not exist *)
+    let elements = sorts.(size - 1) and i = Z.to_int index in
+    if i < Array.length elements then root_of (Z.to_int (List.hd elements.(i).vertices)) else -1 in
+  let apart = Hashtbl.fold (fun (a, b) () n -> if one_of a = one_of b then n else n + 1) m.touching 0 in
+  counted (Hashtbl.length m.touching) "pair" "pairs" ^ " asked about touching alone"
+  ^ if apart > 0 then Printf.sprintf ", %d of them joined by no edges" apart else ""
+(* The pairs of groups that are ignored, and the vertices of these groups. *)
+let ignored_groups { of_vertices; ignored_pairs } =
+  let sorted table = List.sort compare (List.of_seq table) in
+  let members = sorted (Hashtbl.to_seq of_vertices) and pairs = sorted (Hashtbl.to_seq_keys ignored_pairs) in
+  let runs group =
+    let add runs (v, g) = match runs with
+      | _ when g <> group -> runs
+      | (first, last) :: rest when last + 1 = v -> (first, v) :: rest
+      | _ -> (v, v) :: runs in
+    match List.rev_map (fun (first, last) -> vertices first last) (List.fold_left add [] members) with
+    | [] -> Printf.sprintf "%d has no vertex" group
+    | runs -> Printf.sprintf "%d has %s" group (String.concat " and " runs) in
+  let named = List.sort_uniq compare (List.concat_map (fun (g, h) -> [g; h]) pairs) in
+  Printf.sprintf "%s of vertices, %s of groups not asked about: %s, where %s"
+    (counted (List.length (List.sort_uniq compare (List.map snd members))) "group" "groups")
+    (counted (List.length pairs) "pair" "pairs")
+    (String.concat " " (List.map (fun (g, h) -> Printf.sprintf "%d-%d" g h) pairs))
+    (String.concat ", " (List.map runs named))
 (* What the proofs are about, and what is no element. *)
 let contents m =
   let { points; edges; faces; _ } = m.mesh and (corners, sides) = undeclared m in
@@ -208,19 +244,13 @@ let contents m =
       | one :: rest -> Printf.sprintf " from %s to %s" (snd (first (-1) one rest)) (snd (first 1 one rest)) in
     (counted (List.length above) "element" "elements" ^ " with radii" ^ from)
     :: some (Hashtbl.length near) (counted (Hashtbl.length near) "pair of neighbours" "pairs of neighbours") in
-  let ignored =
-    let pairs = List.sort compare (List.of_seq (Hashtbl.to_seq_keys m.groups.ignored_pairs)) in
-    let shown = List.map (fun (g, h) -> Printf.sprintf "%d-%d" g h) pairs in
-    let groups = List.length (List.sort_uniq compare (List.of_seq (Hashtbl.to_seq_values m.groups.of_vertices))) in
-    let what = counted groups "group" "groups" ^ " of vertices, " ^ counted (List.length pairs) "pair" "pairs" in
-    some (List.length pairs) (what ^ " of groups not asked about: " ^ String.concat " " shown) in
   String.concat ", "
     ([counted m.frames "frame" "frames"; counted m.size "vertex" "vertices"; elements points "point";
       elements edges "edge"; elements faces "face"]
      @ Option.fold ~none:[] ~some:with_radii m.radii
      @ some m.fixed_vertices (counted m.fixed_vertices "fixed vertex" "fixed vertices")
      @ some m.bodies (counted on_bodies "vertex" "vertices" ^ " on " ^ counted m.bodies "body" "bodies")
-     @ some m.touching (counted m.touching "pair" "pairs" ^ " asked about touching alone")
-     @ ignored
+     @ (if Hashtbl.length m.touching > 0 then [touching_pairs m] else [])
+     @ (if Hashtbl.length m.groups.ignored_pairs > 0 then [ignored_groups m.groups] else [])
      @ some corners (counted corners "corner is no point" "corners are no points")
      @ some sides (counted sides "side is no edge" "sides are no edges"))

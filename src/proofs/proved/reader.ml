@@ -200,7 +200,8 @@ let check_file f report parts line name =
     let (queries, contacts, line, number, text) =
       if is_mesh then check_motion f digest name apart parts line
       else check_queries f (List.assoc kind kinds, kind) digest name apart line in
-    Buffer.add_string report (Printf.sprintf "%s: %s%s\n" (printable name) number (text separation));
+    let unbound = if digest = "-" then "; the proofs name no digest of the file" else "" in
+    Buffer.add_string report (Printf.sprintf "%s: %s%s%s\n" (printable name) number (text separation) unbound);
     (queries, contacts, Bool.to_int is_mesh, line)
   | _ -> reject f ("here must be \"file KIND DIGEST NAME\": the proofs for " ^ name)
 
@@ -228,8 +229,8 @@ let () =
     Checks the proofs of `touchstone prove` against their query files or motion files, in their order. Each file must\n\
     have the digest that the proofs name. The checker is proved in Coq.\n\
     \  --allow-empty      accept a motion whose elements never come near enough to need a proof\n\
-    \  --frames PATTERN   the frames of the motion must be these files, OBJ or binary PLY, bit by bit, and all of\n\
-    \                     their triangles, lines and points its elements; in quotes, such as 'cloth-*.obj'. Once for\n\
+    \  --frames PATTERN   the frames of the motion must be these files, OBJ or binary PLY, bit by bit, and its\n\
+    \                     elements their triangles, lines and points; in quotes, such as 'cloth-*.obj'. Once for\n\
     \                     each part of a scene, in the order of the parts; one file is a part at rest then\n\
     Exit status: 0 every proof holds, 1 some proof does not, is about other files, or none was needed, 2 bad usage, a\n\
     file that cannot be read, or nothing to check: no query, or a motion in which no two elements could meet." in
