@@ -1,10 +1,14 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""The checker that is proved in Coq and touchstone-check say the same about small, forged, flipped and changed proofs.
+"""The three checkers say the same about small, forged, flipped and changed proofs.
 
-    compare_checkers.py --checker PROGRAM --proved PROGRAM [--mutants N] PROOFS FILE...
+    compare_checkers.py --checker PROGRAM [--many PROGRAM] --proved PROGRAM [--many-proved PROGRAM] [--mutants N]
+      PROOFS FILE...
 
-The exit statuses of both must be equal. An accepted mutant must be true, too: exact_truth.py decides it without a
+They are touchstone-check, the checker that is proved in Coq, and check_proofs.py. A process for each mutant costs more
+than the checks, so --many names the program of ../proofs/checks.cpp, and --many-proved that of checks.ml: the first two
+programs get one mutant of a hundred then. The exit statuses of all must be equal, but where several reasons apply,
+check_proofs.py may decide by another one. An accepted mutant must be true, too: exact_truth.py decides it without a
 proof. The given proofs must hold; of a motion, small parts are taken. The verdict of each one's first proof is flipped:
 a contact becomes none, and none becomes a contact. No checker accepts a flipped verdict. Then the mutations of
 mutate_proofs.py change about N of the given proofs. The same arguments give the same mutants.
@@ -48,21 +52,26 @@ def flipped(file):
 
 
 class Comparison:
-    def __init__(self, checker, proved, folder):
-        self.checker = mutate_proofs.Checker(checker, None, os.path.join(folder, "a"))
-        self.proved = mutate_proofs.Checker(proved, None, os.path.join(folder, "b"))
-        os.mkdir(self.checker.folder)
-        os.mkdir(self.proved.folder)
+    def __init__(self, arguments, folder):
+        self.checkers = {"check_proofs.py": mutate_proofs.Checker(None, None, folder)}
+        for name, programs in (("touchstone-check", (arguments.checker, arguments.many)),
+                               ("the proved checker", (arguments.proved, arguments.many_proved))):
+            place = os.path.join(folder, str(len(self.checkers)))
+            os.mkdir(place)
+            programs = [program and os.path.abspath(program) for program in programs]
+            self.checkers[name] = mutate_proofs.Checker(*programs, place)
         self.counts = collections.Counter()
         self.failures = []
 
     def run(self, what, proof, contents):
-        """The status of both, if they are the same."""
-        status, proved = self.checker.status(proof, contents), self.proved.status(proof, contents)
+        """The status of all, if they are the same."""
+        statuses = {name: checker.status(proof, contents) for name, checker in self.checkers.items()}
+        status = statuses["touchstone-check"]
         self.counts[what.split()[0], status] += 1
-        if proved != status:
-            self.failures.append(f"{what}: touchstone-check ends with {status}, the proved checker with {proved}\n"
-                                 f"{proof}" + "".join(contents))
+        page = statuses["check_proofs.py"]
+        if statuses["the proved checker"] != status or (page != status and not {page, status} <= {1, 2}):
+            text = ", ".join(f"{name} with {status}" for name, status in statuses.items())
+            self.failures.append(f"{what}: they end: {text}\n{proof}" + "".join(contents))
         return status
 
     def case(self, what, file, must_fail=False):
@@ -74,11 +83,11 @@ class Comparison:
 
 
 def compare(arguments, folder):
-    both = Comparison(os.path.abspath(arguments.checker), os.path.abspath(arguments.proved), folder)
+    comparison = Comparison(arguments, folder)
     for name, _, proof, contents in small_cases.all_cases():
-        both.run(f"small {name}", proof, contents)
+        comparison.run(f"small {name}", proof, contents)
     for name, kind, rows, lines in mutate_proofs.forgeries():
-        both.case(f"forged {name}", mutate_proofs.File([], kind, rows, [[[line.split() for line in lines]]]), True)
+        comparison.case(f"forged {name}", mutate_proofs.File([], kind, rows, [[[line.split() for line in lines]]]), True)
     cases = []
     contents = [mutate_proofs.read_text(path) for path in arguments.files]
     for file in mutate_proofs.read_files(mutate_proofs.read_text(arguments.proofs), contents):
@@ -87,10 +96,10 @@ def compare(arguments, folder):
     rng.shuffle(cases)
     mutate_proofs.Run.cases = cases
     for index, file in enumerate(cases[:arguments.mutants // 6]):
-        if both.case(f"given {index}", file) != 0:
-            both.failures.append(f"given {index}: not accepted")
+        if comparison.case(f"given {index}", file) != 0:
+            comparison.failures.append(f"given {index}: not accepted")
         for other in flipped(file) if file.proofs() else ():
-            both.case(f"flipped {index}", other, True)
+            comparison.case(f"flipped {index}", other, True)
     done = 0
     while done < arguments.mutants:
         index, mutation = rng.randrange(len(cases)), rng.choice(mutate_proofs.MUTATIONS)
@@ -101,34 +110,36 @@ def compare(arguments, folder):
         done += 1
         mutant, texts = mutate_proofs.text_of(files), [changed.content for changed in files]
         name = f"mutant {mutation.__name__} of {index}"
-        if both.run(name, mutant, texts) == 0 and not mutate_proofs.is_true(mutant, texts):
-            both.failures.append(f"{name}: FALSE ACCEPTANCE\n{mutant}" + "".join(texts))
-    return both
+        if comparison.run(name, mutant, texts) == 0 and not mutate_proofs.is_true(mutant, texts):
+            comparison.failures.append(f"{name}: FALSE ACCEPTANCE\n{mutant}" + "".join(texts))
+    return comparison
 
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--checker", required=True, help="touchstone-check")
+    parser.add_argument("--many", help="the program of ../proofs/checks.cpp")
     parser.add_argument("--proved", required=True, help="touchstone-check-proved")
+    parser.add_argument("--many-proved", help="the program of checks.ml")
     parser.add_argument("--mutants", type=int, default=1000, help="how many (default: 1000)")
     parser.add_argument("proofs")
     parser.add_argument("files", nargs="+")
     arguments = parser.parse_args()
     memory = "/dev/shm"
     with tempfile.TemporaryDirectory(dir=memory if os.access(memory, os.W_OK) else None) as folder:
-        both = compare(arguments, folder)
+        comparison = compare(arguments, folder)
     for sort in ("small", "forged", "given", "flipped", "mutant"):
-        by_status = ", ".join(f"{name} {both.counts[sort, key]:,}" for name, key in (
+        by_status = ", ".join(f"{name} {comparison.counts[sort, key]:,}" for name, key in (
             ("accepted", 0), ("rejected", 1), ("errors", 2)))
         print(f"{sort:8} {by_status}")
     # Each sort of outcome was met, so that no comparison is about nothing.
     met = [("small", 0), ("small", 1), ("small", 2), ("forged", 1), ("given", 0), ("flipped", 1), ("mutant", 0),
            ("mutant", 1), ("mutant", 2)]
-    both.failures += [f"{sort}: no status {status}" for sort, status in met if not both.counts[sort, status]]
-    for failure in both.failures[:10]:
+    comparison.failures += [f"{sort}: no status {status}" for sort, status in met if not comparison.counts[sort, status]]
+    for failure in comparison.failures[:10]:
         print(failure, file=sys.stderr)
-    print(f"{len(both.failures)} differences")
-    return 1 if both.failures else 0
+    print(f"{len(comparison.failures)} differences")
+    return 1 if comparison.failures else 0
 
 
 if __name__ == "__main__":

@@ -3,10 +3,13 @@
 # of curved ones, and prints what touchstone-check prints. It rejects flipped verdicts, and says what touchstone-check
 # says of changed proofs.
 #
-#   same_answers.sh PROGRAM CHECKER PROVED QUERIES SEPARATION     SEPARATION: "none", or a metric and a distance
+#   same_answers.sh PROGRAM CHECKER PROVED CHECKS PROVED_CHECKS QUERIES SEPARATION
+#
+# CHECKS and PROVED_CHECKS are the programs of ../proofs/checks.cpp and checks.ml. SEPARATION: "none", or a metric and a
+# distance.
 # SPDX-License-Identifier: MIT
 set -euo pipefail
-program=$1 checker=$2 proved=$3 queries=$4 separation=$5
+program=$1 checker=$2 proved=$3 checks=$4 proved_checks=$5 queries=$6 separation=$7
 command -v python3 >/dev/null || { echo "skipped: no python3"; exit 77; }
 here=$(dirname -- "${BASH_SOURCE[0]}")
 folder=$(mktemp -d)
@@ -41,15 +44,14 @@ both_accept "$folder/simulated.txt" "$folder"/simulated/*/*/*.csv
 curved=("$folder"/curved/*/*/*.csv)
 both_accept "$folder/curved.txt" "${curved[@]}"
 
+compare() { # MUTANTS PROVED OPTION_OR_FILE...: the three checkers say the same
+  python3 -B "$here/compare_checkers.py" --mutants "$1" --checker "$checker" --many "$checks" --proved "${@:2}"
+}
 # A checker that accepts all is found out.
-if python3 -B "$here/compare_checkers.py" --checker "$checker" --proved "$(command -v true)" --mutants 60 \
-  "$folder/random.txt" "${random[@]}" >/dev/null 2>&1; then
+if compare 60 "$(command -v true)" "$folder/random.txt" "${random[@]}" >/dev/null 2>&1; then
   echo 'compare_checkers.py finds no difference to a program that accepts all'
   exit 1
 fi
-python3 -B "$here/compare_checkers.py" --checker "$checker" --proved "$proved" --mutants 800 "$folder/bundled.txt" \
-  "${bundled[@]}"
-python3 -B "$here/compare_checkers.py" --checker "$checker" --proved "$proved" --mutants 800 "$folder/random.txt" \
-  "${random[@]}"
-python3 -B "$here/compare_checkers.py" --checker "$checker" --proved "$proved" --mutants 120 "$folder/curved.txt" \
-  "${curved[@]}"
+compare 2000 "$proved" --many-proved "$proved_checks" "$folder/bundled.txt" "${bundled[@]}"
+compare 2000 "$proved" --many-proved "$proved_checks" "$folder/random.txt" "${random[@]}"
+compare 300 "$proved" --many-proved "$proved_checks" "$folder/curved.txt" "${curved[@]}"

@@ -3,12 +3,13 @@
 # says what touchstone-check says of changed motions and of changed proofs, refuses another file than the one that the
 # proofs name, and prints nothing then. With wrong boxes it accepts no proofs that leave out pairs.
 #
-#   same_motions.sh PROGRAM CHECKER PROVED THEORIES OCAMLFIND SORT     SORT: straight, radii, bodies or boxes
+#   same_motions.sh PROGRAM CHECKER PROVED CHECKS PROVED_CHECKS THEORIES OCAMLFIND SORT
 #
+# SORT: straight, radii, bodies or boxes. CHECKS and PROVED_CHECKS are the programs of ../proofs/checks.cpp and checks.ml.
 # THEORIES is the folder of the checker's OCaml, compiled. All of them are absolute paths.
 # SPDX-License-Identifier: MIT
 set -euo pipefail
-program=$1 checker=$2 proved=$3 theories=$4 ocamlfind=$5 sort=$6
+program=$1 checker=$2 proved=$3 checks=$4 proved_checks=$5 theories=$6 ocamlfind=$7 sort=$8
 command -v python3 >/dev/null || { echo "skipped: no python3"; exit 77; }
 here=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")" && pwd)
 folder=$(mktemp -d)
@@ -30,8 +31,8 @@ both_check() { # MUTANTS NAME...: the proofs of these motions, and changed ones
   local names=("${@:2}")
   joined "${names[@]/%//proofs.txt}" >joined.txt
   both_accept joined.txt "${names[@]/%//motion.txt}"
-  python3 -B "$here/compare_checkers.py" --checker "$checker" --proved "$proved" --mutants "$1" joined.txt \
-    "${names[@]/%//motion.txt}"
+  python3 -B "$here/compare_checkers.py" --checker "$checker" --many "$checks" --proved "$proved" \
+    --many-proved "$proved_checks" --mutants "$1" joined.txt "${names[@]/%//motion.txt}"
 }
 prove_mesh() { # NAME ARGUMENT...: the exit status is 1 where the motion has contacts
   "$program" mesh --prove "$1" "${@:2}" >/dev/null || [[ $? == 1 ]]
@@ -153,7 +154,7 @@ END
     rebuilt() { # SED: the checker with another boxes.ml
       sed "$1" "$theories/boxes.ml" >boxes.ml
       [[ -z $1 ]] || ! cmp -s "$theories/boxes.ml" boxes.ml || { echo "no effect: $1"; exit 1; }
-      "$ocamlfind" ocamlopt -package zarith -linkpkg {proved,sha256,text,hints,meshes,frames}.cmx boxes.ml reader.ml \
+      "$ocamlfind" ocamlopt -package zarith -linkpkg {proved,sha256,text,hints,meshes,frames}.cmx boxes.ml reader.ml main.ml \
         -o rebuilt
     }
     rebuilt ''

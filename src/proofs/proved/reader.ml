@@ -223,8 +223,9 @@ let run allow_empty parts proofs files =
   Printf.printf "%s checked: %s%s\n%!" (counted queries "query" "queries") (if queries > 0 then answers else none_near)
     (if motions > 0 then "; whether a first frame intersects itself was not asked" else "")
 
-let () =
-  let finish status text = prerr_endline text; exit status in
+(* The program with its arguments. @returns its exit status *)
+let main arguments =
+  let finish status text = prerr_endline text; status in
   let usage = "usage: touchstone-check-proved [OPTION]... PROOFS FILE...\n\
     Checks the proofs of `touchstone prove` against their query files or motion files, in their order. Each file must\n\
     have the digest that the proofs name. The checker is proved in Coq.\n\
@@ -237,10 +238,10 @@ let () =
   let rec run_with allow_empty patterns = function
     | "--allow-empty" :: rest -> run_with true patterns rest
     | "--frames" :: pattern :: rest -> run_with allow_empty (pattern :: patterns) rest
-    | ("--help" | "-h") :: _ -> print_endline usage
-    | proofs :: (_ :: _ as files) -> run allow_empty (List.rev_map Frames.part patterns) proofs files
+    | ("--help" | "-h") :: _ -> print_endline usage; 0
+    | proofs :: (_ :: _ as files) -> run allow_empty (List.rev_map Frames.part patterns) proofs files; 0
     | _ -> finish 2 usage in
-  try run_with false [] (List.tl (Array.to_list Sys.argv)) with
+  try run_with false [] arguments with
   | Rejected reason -> finish 1 ("rejected: " ^ printable reason)
   | Bad reason -> finish 2 ("touchstone-check-proved: " ^ printable reason)
   | Sys_error reason ->
