@@ -205,7 +205,10 @@ TEST_CASE("bodies: files that are no two bodies are refused") {
     return run_program(with({"bodies", "--poses", poses}, files));
   };
   check_refused(run({scene.bar}), "there is only 1 body");
-  check_refused(run({scene.bar, scene.bar}), "is given twice");
+  check_refused(run({scene.bar, scene.bar}), "is given twice; two bodies of one file have names");
+  check_refused(run({"=" + scene.bar, scene.wall}), "has no name before the =");
+  check_refused(run({"bar=" + scene.bar, scene.bar}), "two bodies are named 'bar'");
+  check_refused(run({"bar=" + scene.folder.path("*.obj"), scene.wall}), " names 2 files");
   check_refused(run({scene.bar, scene.folder.write("bad.obj", "v 0 0 0\nf 1 2 3\n")}), "bad.obj");
   check_refused(run({scene.bar, scene.folder.path("none.obj")}), "none.obj");
   check_refused(run_program({"bodies", scene.bar, scene.wall}), "--poses is required");
@@ -220,6 +223,15 @@ TEST_CASE("bodies: files that are no two bodies are refused") {
   const Run paths = run_program({"bodies", scene.bar, second, "--poses", both});
   CHECK(paths.status == 1);
   CHECK(occurrences(paths.out, " of " + second) > 0);
+
+  // Two bodies of one file.
+  const std::string twins =
+      scene.folder.write("twins.csv", std::string(kHeader) + "0,left,0,0,0,1,0,0,0\n1,left,4,0,0,1,0,0,0\n" +
+                                          "0,right,3,0,0,1,0,0,0\n1,right,3,0,0,1,0,0,0\n");
+  const Run pair = run_program({"bodies", "left=" + scene.bar, "right=" + scene.bar, "--poses", twins});
+  CHECK(pair.status == 1);
+  CHECK(occurrences(pair.out, "first contact at t = 0x1p-2 (0.25)") == 1);
+  CHECK(occurrences(pair.out, " of right") > 0);
 
   // Repairs as those of mesh.
   const std::string broken = scene.folder.write("wall2.obj", box_obj(0.25, 8, 8) + "f 1 3 4\n");

@@ -16,7 +16,8 @@ void add_bodies(CLI::App& program, Command& command) {
   subcommand
       ->add_option("FILE", options->files,
                    "Mesh files, each a body in its own frame and named by its file without the ending, or by the whole "
-                   "argument where two of these names are one")
+                   "argument where two of these names are one. NAME=FILE gives it another name: two bodies may have "
+                   "one file, such as left=box.obj right=box.obj")
       ->required()
       ->type_name("");
   subcommand

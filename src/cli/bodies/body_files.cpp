@@ -3,6 +3,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <filesystem>
+#include <system_error>
 #include <utility>
 
 #include <touchstone/error.hpp>
@@ -25,12 +28,38 @@ frames::ReadOptions reading_of(const BodiesRunOptions& options) {
   return reading;
 }
 
+/// "left" of "left=a.obj"; empty where a file has the whole argument as its name.
+std::string given_name(const std::string& argument) {
+  std::error_code ignored;
+  const std::size_t end = argument.find('=');
+  if (end == argument.npos || std::filesystem::exists(argument, ignored)) return {};
+  if (end == 0) throw Error(fmt::format("{} has no name before the =", io::in_quotes(argument)));
+  return argument.substr(0, end);
+}
+
 }  // namespace
 
 BodyFiles::BodyFiles(const BodiesRunOptions& options) {
-  for (const sequence::ScenePart& part : sequence::parts_at_rest(options.files, reading_of(options))) {
+  std::vector<std::string> unnamed;
+  for (const std::string& argument : options.files) {
+    if (!given_name(argument).empty()) continue;
+    if (std::count(unnamed.begin(), unnamed.end(), argument) > 0)
+      io::fail(argument, "is given twice; two bodies of one file have names, such as one=a.obj two=a.obj");
+    unnamed.push_back(argument);
+  }
+  for (const sequence::ScenePart& part : sequence::parts_at_rest(unnamed, reading_of(options))) {
     names_.push_back(part.name);
     files_.push_back(part.frames.front().file);
+  }
+  for (const std::string& argument : options.files) {
+    const std::string name = given_name(argument);
+    if (name.empty()) continue;
+    const auto parts = sequence::parts_at_rest({argument.substr(name.size() + 1)}, reading_of(options));
+    if (parts.size() > 1) throw Error(fmt::format("{} names {} files", io::in_quotes(argument), parts.size()));
+    if (std::count(names_.begin(), names_.end(), name) > 0)
+      throw Error(fmt::format("two bodies are named {}", io::in_quotes(name)));
+    names_.push_back(name);
+    files_.push_back(parts.front().frames.front().file);
   }
   if (files_.size() < 2) {
     throw Error(fmt::format("there {} only {}, and elements of one body are never compared; name two files or more",
