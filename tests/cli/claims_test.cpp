@@ -198,6 +198,8 @@ TEST_CASE("a verdict says that claims have no times, and which columns are not r
       {"keys.json", R"([{"contact": 1, "ns": 7, "toi": 0.5, "level": "x"}, {"contact": 0}, {"contact": 1}])",
        "times for 1 of 2 contacts, not read: 'ns'"},
       {"empty.csv", "contact,toi\n1,\n0,\n1,\n", "no times"},
+      {"index.csv", ",hit,toi\n0,1,0.5\n1,0,\n2,1,0.25\n", "not read: ''"},
+      {"words.csv", ",hit,toi\na,1,0.5\nb,0,\nc,1,0.25\n", "not read: ''"},
       {"apart.csv", "contact,toi,min_distance\n1,0.5,0\n0,,1\n1,0.25,0\n", "not read: 'min_distance'"},
       {"more.npz",
        npz({{"ns.npy", npy("<f8", "(1,)", doubles({7}))},
@@ -333,6 +335,10 @@ TEST_CASE("faults of claims are named with what would be right") {
        ":1: no names of columns; --columns says what they are, for example --columns contact,toi"},
       {"none.csv", "query,answer\n0,1\n",
        ":1: no column is a 'contact' or a 'toi'; known names are file (or filename), query (or"},
+      {"sorted.csv", ",hit,toi\n1,0,\n0,1,0.5\n2,1,0.25\n",
+       ":2: the first column has no name, and is '1' in row 0, counted from 0: is it the number of the query? Then "
+       "name "
+       "it query; else delete it"},
       {"twice.csv", "hit,contact\n0,1\n", ":1: two columns are a 'contact'; --columns says which one is read"},
       {"wide.csv",
        "1,2,3,4\n",

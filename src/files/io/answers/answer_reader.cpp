@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "io/answers/answer_writer.hpp"
+#include "io/characters.hpp"
 #include "io/fail.hpp"
 #include "io/queries/separation_text.hpp"
 #include "io/times.hpp"
@@ -40,6 +41,8 @@ bool AnswerReader::next(AnswerRow& row) {
   if (has(ClaimColumn::file)) row.file = text_of_field(field(ClaimColumn::file));
   row.query = std::nullopt;
   if (has(ClaimColumn::query)) row.query = number_of(field(ClaimColumn::query));
+  if (is_first_unnamed_ && !has(ClaimColumn::query)) require_in_order(fields()[0]);
+  ++rows_;
 
   row.contact = true;
   if (has(ClaimColumn::contact)) {
@@ -71,6 +74,16 @@ std::uint64_t AnswerReader::number_of(std::string_view query) const {
     records_.refuse("query is " + in_quotes(query) + "; it must be a number counted from 0");
   }
   return static_cast<std::uint64_t>(whole);
+}
+
+/// The first column has no name, as where pandas writes the index of a table. Of rows that were sorted or left out it is
+/// not their number, and nobody knows whether it numbers the queries.
+void AnswerReader::require_in_order(std::string_view index) const {
+  const std::optional<double> number = parse_exact_double(index);
+  if (number && *number != static_cast<double>(rows_)) {
+    records_.refuse("the first column has no name, and is " + in_quotes(index) + " in row " + std::to_string(rows_) +
+                    ", counted from 0: is it the number of the query? Then name it query; else delete it");
+  }
 }
 
 void AnswerReader::read_toi(std::string_view field, AnswerRow& row) const {
@@ -144,6 +157,7 @@ void AnswerReader::read_header(const ClaimColumns& columns) {
 
 void AnswerReader::read_names(const std::vector<std::string_view>& names) {
   ClaimColumns named;
+  is_first_unnamed_ = without_blanks(names[0]).empty();
   for (const std::string_view text : names) {
     const auto column = claim_column(text);
     if (!column && !is_description(text)) unread_columns_.emplace_back(text);

@@ -65,6 +65,7 @@ class AnswerReader {
   static constexpr std::size_t kAbsent = std::string::npos;
 
   std::uint64_t number_of(std::string_view query) const;
+  void require_in_order(std::string_view index) const;
   void read_toi(std::string_view field, AnswerRow& row) const;
   bool is_beside_upper(double toi) const;
   void read_separation(AnswerRow& row) const;
@@ -82,6 +83,8 @@ class AnswerReader {
   MissingClaim missing_;
   std::uint64_t last_row_ = 0;
   bool has_row_ = false;  ///< whether fields() are a row that next() has not told yet
+  bool is_first_unnamed_ = false;
+  std::uint64_t rows_ = 0;  ///< that next() has told
   std::size_t column_count_ = 0;
   std::array<std::size_t, kClaimColumns> index_{};  ///< position of each column that is read; kAbsent: not there
   std::vector<std::string> unread_columns_;
