@@ -22,7 +22,7 @@ std::string FrameName::label() const {
     shown = path.filename() / shown;
   }
   std::string text = io::printable(shown.string());
-  if (several) text += "[" + std::to_string(index) + "]";
+  if (several) text.append("[").append(std::to_string(index)).append("]");
   return text;
 }
 
