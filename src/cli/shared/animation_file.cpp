@@ -7,7 +7,7 @@
 
 #include "cli/shared/words.hpp"
 #include "io/answers/claim_columns.hpp"
-#include "io/characters.hpp"
+#include "io/fail.hpp"
 #include "view/frame_svg.hpp"
 
 namespace touchstone::cli {

@@ -18,7 +18,7 @@
 namespace touchstone::sim {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kUnreached = std::numeric_limits<double>::infinity();
 
 // The arc between two points of a circle over their distance, where they lie opposite each other.
 constexpr double kArc = std::numbers::pi / 2;
@@ -31,7 +31,7 @@ constexpr std::size_t kMostNeighbours = 256, kMostNeighboursInAll = 50'000'000;
 class Graph {
  public:
   Graph(const Scene& scene, std::span<const Edge> edges, const VectorX& placed)
-      : from_(scene.particles.size()), length_(scene.particles.size(), kInfinity) {
+      : from_(scene.particles.size()), length_(scene.particles.size(), kUnreached) {
     const auto add = [&](Index a, Index b) {
       const double length = (position(placed, a) - position(placed, b)).norm();
       from_[a].emplace_back(b, length);
@@ -59,12 +59,12 @@ class Graph {
       for (const auto& [next, step] : from_[q]) {
         const double there = length + step;
         if (!(there < limit && there < length_[next])) continue;
-        if (length_[next] == kInfinity) reached_.push_back(next);
+        if (length_[next] == kUnreached) reached_.push_back(next);
         length_[next] = there;
         open.emplace(there, next);
       }
     }
-    for (const Index q : reached_) length_[q] = kInfinity;
+    for (const Index q : reached_) length_[q] = kUnreached;
   }
 
  private:
