@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include <filesystem>
 #include <map>
+#include <regex>
 #include <set>
 #include <string>
 
@@ -44,5 +45,38 @@ TEST_CASE("at most two folders have a source of one name") {
     for (const std::string& folder : of_name) list += ' ' + folder;
     INFO(name << ":" << list);
     CHECK(of_name.size() <= 2);
+  }
+}
+
+TEST_CASE("constants and types of unnamed namespaces have different names in a layer, as unity builds need it") {
+  const std::regex unnamed(R"(\nnamespace \{\n[^]*?\n\}  // namespace\n)");
+  const std::regex name(R"(\n(?:constexpr|const|struct|class|enum class) (?:[\w:<>, *]+ )?(\w+)[^(\n]*[={;])");
+  std::map<std::string, std::set<std::string>> files;  // by layer and name
+  std::size_t layers = 0;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(kSources)) {
+    if (entry.path().filename() != "CMakeLists.txt") continue;
+    const std::string list = text_of(entry.path());
+    if (list.find("touchstone_layer(") == std::string::npos) continue;
+    ++layers;
+    const std::filesystem::path layer = entry.path().parent_path();
+    const std::regex source(R"(\s([\w/]+\.cpp)\s)");
+    for (std::sregex_iterator one(list.begin(), list.end(), source), end; one != end; ++one) {
+      if (!std::filesystem::exists(layer / (*one)[1].str())) continue;
+      const std::string text = text_of(layer / (*one)[1].str());
+      for (std::sregex_iterator part(text.begin(), text.end(), unnamed); part != end; ++part) {
+        const std::string names = part->str();
+        for (std::sregex_iterator found(names.begin(), names.end(), name); found != end; ++found) {
+          files[layer.filename().string() + ": " + (*found)[1].str()].insert((*one)[1].str());
+        }
+      }
+    }
+  }
+  CHECK(layers > 20);
+  CHECK(files.size() > 200);
+  for (const auto& [name_in_layer, its_files] : files) {
+    std::string sources;
+    for (const std::string& file : its_files) sources += ' ' + file;
+    INFO(name_in_layer << ":" << sources);
+    CHECK(its_files.size() == 1);
   }
 }

@@ -16,7 +16,7 @@
 namespace touchstone::mesh {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kFarthest = std::numeric_limits<double>::infinity();
 
 }  // namespace
 
@@ -58,7 +58,7 @@ void ColumnBlock::solve(double t_max, Wanted wanted, Metric metric, const double
 
 // Each operation is rounded up, and d + fraction (D0 - d) rises with each of its parts.
 double KeptDistances::kept(double separation, double at_start) const noexcept {
-  const auto upwards = [](double x) { return std::nextafter(x, kInfinity); };
+  const auto upwards = [](double x) { return std::nextafter(x, kFarthest); };
   const double clearance = upwards(std::max(0.0, at_start - separation));
   const double all = upwards(separation + upwards(fraction_ * clearance));
   return std::min(all, std::numeric_limits<double>::max());
@@ -75,7 +75,7 @@ KeptDistances::Kept KeptDistances::quick(const MeshPair& pair, const std::array<
     }
   }
   // The distance of the elements is at most that of their nearest corners.
-  double nearest = kInfinity;
+  double nearest = kFarthest;
   for (std::size_t i = 0; i < geometry::corners_of_first(pair.kind); ++i) {
     for (std::size_t j = geometry::corners_of_first(pair.kind); j < corner_count(pair.kind); ++j) {
       const Vec3 &a = motion_[corners[i]].start, &b = motion_[corners[j]].start;
@@ -112,7 +112,7 @@ double KeptDistances::exact(const MeshPair& pair, const std::array<Index, 4>& co
   const double separation = separation_of(mesh_, pair, corners);
   if (fraction_ == 0) return separation;
   const double at_start = distance(query_of(motion_, pair.kind, corners), 0, metric()).value;  // the nearest double
-  return kept(separation, at_start == 0 ? 0 : std::nextafter(at_start, kInfinity));
+  return kept(separation, at_start == 0 ? 0 : std::nextafter(at_start, kFarthest));
 }
 
 void for_each_contact(const Mesh::Impl& mesh, const Motion& motion, const KeptDistances& distances, Kind kind,

@@ -13,7 +13,7 @@ namespace {
 using Quaternion = std::array<double, 4>;
 
 constexpr double kRounding = 0x1p-53;
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kUnbounded = std::numeric_limits<double>::infinity();
 constexpr double kWidened = 1 + 0x1p-49;  // for a few roundings
 
 /// Of a point and of a position: how far computed places may be off, see Arc.
@@ -131,7 +131,7 @@ Arc::Arc(const RigidMotion& motion, double from, double to, double reach, double
   position_ = {between(motion.p0.x, motion.p1.x), between(motion.p0.y, motion.p1.y), between(motion.p0.z, motion.p1.z)};
   const double far = std::max(largest_of(motion.p0), largest_of(motion.p1));
   rounding_ = kPositioning * far + 0x1p-1060;
-  error_ = reach + far < kMostLength ? (rounding_ + off) * kWidened : kInfinity;
+  error_ = reach + far < kMostLength ? (rounding_ + off) * kWidened : kUnbounded;
 }
 
 Arc::Ends Arc::ends_of(const Vec3& point) const noexcept {

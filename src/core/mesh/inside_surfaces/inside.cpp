@@ -36,16 +36,18 @@ struct Around {
   bool touches = false;
 };
 
-enum class Asked : std::uint8_t { oriented, all };  ///< pairs of oriented surfaces, or pieces in closed surfaces
+enum class AskedPairs : std::uint8_t { oriented, all };  ///< pairs of oriented surfaces, or pieces in closed surfaces
 
 struct InsideSearch {
   const Mesh::Impl& mesh;
   const Motion& motion;
   int threads;
   const std::atomic<bool>* stop;
-  Asked asked;
+  AskedPairs asked;
 
-  bool is_asked(const Piece& piece) const noexcept { return asked == Asked::all || piece.sort == PieceSort::oriented; }
+  bool is_asked(const Piece& piece) const noexcept {
+    return asked == AskedPairs::all || piece.sort == PieceSort::oriented;
+  }
 };
 
 bool is_within(const Box& inner, const Box& outer) noexcept {
@@ -241,7 +243,7 @@ std::vector<AroundOne> by_inner(const Pieces& pieces, const std::vector<Around>&
 void add_inside(const Mesh::Impl& mesh, const Motion& motion, int threads, const std::atomic<bool>* stop,
                 std::vector<Intersection>& all) {
   if (mesh.faces.size() < 2 * kLeastFaces) return;
-  const InsideSearch search{mesh, motion, threads, stop, Asked::oriented};
+  const InsideSearch search{mesh, motion, threads, stop, AskedPairs::oriented};
   const Pieces pieces(mesh, motion);
   const std::vector<Around> around = surfaces_around(search, pieces, all);
   const std::vector<AroundOne> groups = by_inner(pieces, around);
@@ -313,7 +315,7 @@ TOUCHSTONE_BEHIND_GUARD Insides find_insides(const Mesh::Impl& mesh, const Posit
                                              const std::vector<Intersection>& found, ClosedParts closed) {
   if (mesh.faces.empty()) return {};
   const Motion motion = motion_of(mesh, x, x, options.threads);
-  const InsideSearch search{mesh, motion, options.threads, options.stop, Asked::all};
+  const InsideSearch search{mesh, motion, options.threads, options.stop, AskedPairs::all};
   const Pieces pieces(mesh, motion);
   return {find_enclosed(search, pieces, found, closed), pieces.branching(), count_in_open(search, pieces)};
 }
