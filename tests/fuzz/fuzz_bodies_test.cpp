@@ -30,7 +30,7 @@ BodySolver with_fault(const std::function<void(BodyReply&)>& fault) {
 }
 
 BodyFuzzOutcome find(const std::function<void(BodyReply&)>& fault, std::uint64_t cases = 60) {
-  BodyFuzzSettings settings;
+  SceneSettings settings;
   settings.cases = cases;
   settings.seconds = 30;
   settings.threads = 2;
@@ -87,7 +87,8 @@ TEST_CASE("fuzzed bodies: a dropped pair is found, and shrunk to the two element
   CHECK(elements_of(finding.scene) <= 8);  // two edges have six
   CHECK(judge_bodies(finding.scene, with_fault(drop)));
   CHECK(!judge_bodies(finding.scene, library_reply));
-  const families::BodyScene before = families::body_scene(finding.name.family, finding.name.seed, finding.name.index);
+  const families::BodyScene before =
+      families::body_scene(families::kEveryBodyFamily.at(finding.name.family), finding.name.seed, finding.name.index);
   CHECK(difficulty(finding.scene) < difficulty(before));
   CHECK(judge_bodies(before, with_fault(drop)));
   const std::string text = to_string(finding);
@@ -151,14 +152,16 @@ TEST_CASE("fuzzed bodies: a free step that goes on to the contact is found") {
 }
 
 TEST_CASE("fuzzed bodies: the name of a scene makes it again") {
-  const BodyCase name{families::BodyFamily::bodies_gears, 7, 12};
-  CHECK(case_text(name) == "bodies_gears 7 12");
-  const auto read = parse_body_case("bodies_gears 7 12");
+  const auto families = body_families();
+  const auto read = parse_scene_case(families, "bodies_gears 7 12");
   REQUIRE(read);
-  CHECK(case_text(*read) == case_text(name));
+  CHECK(families.at(read->family) == "bodies_gears");
+  CHECK(read->seed == 7);
+  CHECK(read->index == 12);
+  CHECK(case_text(families, *read) == "bodies_gears 7 12");
   for (const char* wrong : {"", "bodies_gears", "bodies_gears 7", "gears 7 12", "bodies_gears 7 12 1",
                             "bodies_gears 7 x", "bodies_gears  7 12", "bodies_gears -7 12"}) {
     CAPTURE(wrong);
-    CHECK(!parse_body_case(wrong));
+    CHECK(!parse_scene_case(families, wrong));
   }
 }

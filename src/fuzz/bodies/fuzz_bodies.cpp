@@ -1,45 +1,16 @@
 // SPDX-License-Identifier: MIT
 #include "fuzz/bodies/fuzz_bodies.hpp"
 
-#include <algorithm>
-#include <atomic>
-#include <charconv>
-#include <chrono>
-#include <map>
-#include <mutex>
+#include <initializer_list>
 #include <sstream>
-#include <tuple>
-#include <utility>
 
 #include "fuzz/bodies/shrink_bodies.hpp"
-#include "fuzz/worker_threads.hpp"
 #include "numbers/doubles/decimal_text.hpp"
 
 namespace touchstone::fuzz {
 namespace {
 
-using BodyClock = std::chrono::steady_clock;
 using families::BodyScene;
-using BodyKey = std::tuple<FuzzFailure, std::string>;
-
-BodyKey body_key(const BodyFailure& failure) { return {failure.failure, failure.question}; }
-
-double seconds_from(BodyClock::time_point start) {
-  return std::chrono::duration<double>(BodyClock::now() - start).count();
-}
-
-/// Counts a failure, and keeps the simplest scene, the first of those that are equally simple.
-void add_body_finding(std::map<BodyKey, BodyFinding>& findings, const BodyFailure& failure, const BodyCase& name,
-                      const BodyScene& scene) {
-  const auto [at, is_new] = findings.try_emplace(body_key(failure), BodyFinding{failure, 0, name, scene});
-  BodyFinding& known = at->second;
-  ++known.count;
-  const auto rank = [](const BodyScene& of, const BodyCase& its) {
-    return std::make_tuple(difficulty(of), its.index, its.family);
-  };
-  if (is_new || rank(known.scene, known.name) <= rank(scene, name)) return;
-  known.failure = failure, known.name = name, known.scene = scene;
-}
 
 std::string in_brackets(std::initializer_list<double> values) {
   std::string text = "(";
@@ -68,26 +39,10 @@ std::string scene_text_of_elements(const char* name, const Elements& elements) {
 
 }  // namespace
 
-std::string case_text(const BodyCase& name) {
-  return std::string(families::name_of(name.family)) + " " + std::to_string(name.seed) + " " +
-         std::to_string(name.index);
-}
-
-std::optional<BodyCase> parse_body_case(std::string_view text) {
-  const std::size_t first = text.find(' '), second = text.find(' ', first + 1);
-  if (first == std::string_view::npos || second == std::string_view::npos) return std::nullopt;
-  const auto family = families::body_family_named(text.substr(0, first));
-  BodyCase name;
-  const auto read = [](std::string_view digits, std::uint64_t& number) {
-    const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), number);
-    return error == std::errc() && end == digits.data() + digits.size();
-  };
-  if (!family || !read(text.substr(first + 1, second - first - 1), name.seed) ||
-      !read(text.substr(second + 1), name.index)) {
-    return std::nullopt;
-  }
-  name.family = *family;
-  return name;
+std::vector<std::string_view> body_families() {
+  std::vector<std::string_view> names;
+  for (const families::BodyFamily family : families::kEveryBodyFamily) names.push_back(families::name_of(family));
+  return names;
 }
 
 std::string to_string(const BodyFinding& finding) {
@@ -115,72 +70,16 @@ std::string to_string(const BodyFinding& finding) {
   return out.str();
 }
 
-BodyFuzzOutcome fuzz_bodies(const BodySolver& solver, const BodyFuzzSettings& settings, const BodyWatch& watch) {
-  BodyFuzzOutcome outcome;
-  std::map<BodyKey, BodyFinding> found;
-  std::mutex lock;
-  std::atomic<std::uint64_t> next = 0, scenes = 0;
-  std::atomic<bool> stop = false;
-  const auto threads = static_cast<std::size_t>(std::max(settings.threads, 1));
-  const auto watched = [&] {
-    outcome.stopped = outcome.stopped || (watch && !watch(scenes));
-    return !outcome.stopped;
+BodyFuzzOutcome fuzz_bodies(const BodySolver& solver, const SceneSettings& settings, const SceneWatch& watch) {
+  SceneSort<BodyScene> sort;
+  sort.families = body_families();
+  sort.make = [](const SceneCase& name) {
+    return families::body_scene(families::kEveryBodyFamily.at(name.family), name.seed, name.index);
   };
-  const auto name_of_case = [&](std::uint64_t number) {
-    const std::size_t count = families::kEveryBodyFamily.size();
-    return settings.a_case.value_or(
-        BodyCase{families::kEveryBodyFamily[number % count], settings.seed, number / count});
-  };
-  const std::optional<std::uint64_t> cases = settings.a_case ? 1 : settings.cases;
-  const BodyClock::time_point start = BodyClock::now();
-  run_on_threads(
-      threads, stop,
-      [&](std::size_t) {
-        while (!stop) {
-          const std::uint64_t number = next++;
-          if ((cases && number >= *cases) || (settings.seconds && seconds_from(start) >= *settings.seconds)) return;
-          const BodyCase name = name_of_case(number);
-          const BodyScene scene = families::body_scene(name.family, name.seed, name.index);
-          const std::optional<BodyFailure> failure = judge_bodies(scene, solver);
-          ++scenes;
-          const std::lock_guard guard(lock);
-          if (failure) add_body_finding(found, *failure, name, scene);
-        }
-      },
-      watched);
-  outcome.scenes = scenes;
-  outcome.seconds = seconds_from(start);
-  outcome.kinds_of_failure = found.size();
-  for (auto& [key, finding] : found) {
-    if (settings.most_findings == 0 || outcome.findings.size() < settings.most_findings) {
-      outcome.findings.push_back(std::move(finding));
-    }
-  }
-  next = 0, stop = false;
-  const BodyClock::time_point shrinking = BodyClock::now();
-  const auto over = [&] {
-    return stop || (settings.seconds && seconds_from(shrinking) >= std::max(10.0, *settings.seconds));
-  };
-  if (outcome.stopped || outcome.findings.empty()) return outcome;
-  run_on_threads(
-      std::min(threads, outcome.findings.size()), stop,
-      [&](std::size_t) {
-        for (std::uint64_t i = next++; i < outcome.findings.size(); i = next++) {
-          BodyFinding& finding = outcome.findings[i];
-          const BodyKey key = body_key(finding.failure);
-          finding.scene = shrink_bodies(
-              finding.scene,
-              [&](const BodyScene& scene) {
-                const auto failure = judge_bodies(scene, solver);
-                const bool same = failure && body_key(*failure) == key;
-                if (same) finding.failure = *failure;
-                return same;
-              },
-              over);
-        }
-      },
-      watched);
-  return outcome;
+  sort.new_judge = [&] { return [&](const BodyScene& scene) { return judge_bodies(scene, solver); }; };
+  sort.difficulty = [](const BodyScene& scene) { return difficulty(scene); };
+  sort.shrink = shrink_bodies;
+  return search_scenes(sort, settings, watch);
 }
 
 }  // namespace touchstone::fuzz

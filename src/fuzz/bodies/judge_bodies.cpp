@@ -65,27 +65,27 @@ bool same_answers(const Answer& a, const Answer& b) {
 std::string at_time(double time) { return std::string(" at ").append(numbers::decimal_text(time)); }
 
 /// The first difference of lists in any order. @param question  in which they were told
-std::optional<BodyFailure> difference_of_lists(const Bodies& bodies, const std::vector<BodyContact>& told,
-                                               const std::vector<BodyContact>& exact, const char* question) {
+std::optional<SceneFailure> difference_of_lists(const Bodies& bodies, const std::vector<BodyContact>& told,
+                                                const std::vector<BodyContact>& exact, const char* question) {
   std::map<BodyPair, Answer> answers;
   for (const BodyContact& one : told) {
     if (!answers.emplace(one.pair, one.answer).second) {
-      return BodyFailure{FuzzFailure::malformed, question, describe(bodies, one.pair) + " twice"};
+      return SceneFailure{FuzzFailure::malformed, question, describe(bodies, one.pair) + " twice"};
     }
   }
   for (const BodyContact& one : exact) {
     const auto found = answers.find(one.pair);
     const std::string pair = describe(bodies, one.pair) + at_time(one.answer.toi);
-    if (found == answers.end()) return BodyFailure{FuzzFailure::missed, question, pair};
+    if (found == answers.end()) return SceneFailure{FuzzFailure::missed, question, pair};
     if (!same_answers(found->second, one.answer)) {
-      return BodyFailure{found->second.toi > one.answer.toi ? FuzzFailure::late : FuzzFailure::differs, question,
-                         pair + ", told" + at_time(found->second.toi)};
+      return SceneFailure{found->second.toi > one.answer.toi ? FuzzFailure::late : FuzzFailure::differs, question,
+                          pair + ", told" + at_time(found->second.toi)};
     }
     answers.erase(found);
   }
   if (answers.empty()) return std::nullopt;
   const auto& [pair, answer] = *answers.begin();
-  return BodyFailure{FuzzFailure::phantom, question, describe(bodies, pair) + at_time(answer.toi)};
+  return SceneFailure{FuzzFailure::phantom, question, describe(bodies, pair) + at_time(answer.toi)};
 }
 
 bool is_closed(const Mesh& mesh) {
@@ -135,14 +135,14 @@ std::optional<bool> inside(const Bodies& bodies, const std::vector<RigidMotion>&
 std::string name_of_body(BodyIndex body) { return std::string("body ").append(std::to_string(body)); }
 
 /// The start: vertices inside closed surfaces are told, and no others.
-std::optional<BodyFailure> judge_start(const Bodies& bodies, const std::vector<RigidMotion>& motions,
-                                       const FirstBodyContact& told) {
-  if (!told.start_checked) return BodyFailure{FuzzFailure::malformed, "start", "it was not asked about"};
+std::optional<SceneFailure> judge_start(const Bodies& bodies, const std::vector<RigidMotion>& motions,
+                                        const FirstBodyContact& told) {
+  if (!told.start_checked) return SceneFailure{FuzzFailure::malformed, "start", "it was not asked about"};
   for (const BodyIntersection& one : told.start_intersections) {
     if (one.sort != IntersectionSort::inside || !is_closed(bodies.bodies[one.second.body].mesh())) continue;
     if (inside(bodies, motions, one.first, one.second.body).value_or(true)) continue;
-    return BodyFailure{FuzzFailure::phantom, "start",
-                       name_of_body(one.first.body).append(", not inside ").append(name_of_body(one.second.body))};
+    return SceneFailure{FuzzFailure::phantom, "start",
+                        name_of_body(one.first.body).append(", not inside ").append(name_of_body(one.second.body))};
   }
   if (!told.start_intersections.empty()) return std::nullopt;
   for (BodyIndex a = 0; a < motions.size(); ++a) {
@@ -150,17 +150,17 @@ std::optional<BodyFailure> judge_start(const Bodies& bodies, const std::vector<R
       // One vertex tells: bodies that do not intersect are inside as a whole, if their surface is one.
       if (a == b || !is_closed(bodies.bodies[a].mesh()) || !is_closed(bodies.bodies[b].mesh())) continue;
       if (!bodies.rules.body_pairs.empty() || !inside(bodies, motions, {a, 0}, b).value_or(false)) continue;
-      return BodyFailure{FuzzFailure::missed, "start", name_of_body(a).append(" is inside ").append(name_of_body(b))};
+      return SceneFailure{FuzzFailure::missed, "start", name_of_body(a).append(" is inside ").append(name_of_body(b))};
     }
   }
   return std::nullopt;
 }
 
 /// The free step ends before the contact, and its own end is reached free.
-std::optional<BodyFailure> judge_step(const Bodies& bodies, const std::vector<RigidMotion>& motions,
-                                      const FirstBodyContact& first, const FreeBodyStep& step) {
+std::optional<SceneFailure> judge_step(const Bodies& bodies, const std::vector<RigidMotion>& motions,
+                                       const FirstBodyContact& first, const FreeBodyStep& step) {
   const auto wrong = [](FuzzFailure failure, const std::string& detail) {
-    return BodyFailure{failure, "free step", detail};
+    return SceneFailure{failure, "free step", detail};
   };
   if (step.poses.size() != motions.size()) return wrong(FuzzFailure::malformed, "another number of poses");
   const bool starts_free = first.at_start.empty() && first.start_intersections.empty();
@@ -186,7 +186,7 @@ BodyReply library_reply(const Bodies& bodies, const std::vector<RigidMotion>& mo
           free_step(bodies, motions)};
 }
 
-std::optional<BodyFailure> judge_bodies(const BodyScene& scene, const BodySolver& solver) {
+std::optional<SceneFailure> judge_bodies(const BodyScene& scene, const BodySolver& solver) {
   const Bodies bodies = scene.bodies();
   const std::vector<RigidMotion>& motions = scene.motions;
   const std::vector<BodyContact> exact = exact_contacts(bodies, motions);
@@ -194,11 +194,11 @@ std::optional<BodyFailure> judge_bodies(const BodyScene& scene, const BodySolver
   try {
     reply = solver(bodies, motions);
   } catch (const std::exception& error) {
-    return BodyFailure{FuzzFailure::crash, "all", error.what()};
+    return SceneFailure{FuzzFailure::crash, "all", error.what()};
   }
   for (const BodyContact& one : exact) {
     if (std::binary_search(reply.candidates.begin(), reply.candidates.end(), one.pair)) continue;
-    return BodyFailure{FuzzFailure::missed, "candidates", describe(bodies, one.pair) + at_time(one.answer.toi)};
+    return SceneFailure{FuzzFailure::missed, "candidates", describe(bodies, one.pair) + at_time(one.answer.toi)};
   }
   if (auto wrong = difference_of_lists(bodies, reply.all, exact, "all contacts")) return wrong;
   std::vector<BodyContact> starting;
@@ -209,8 +209,8 @@ std::optional<BodyFailure> judge_bodies(const BodyScene& scene, const BodySolver
   if (auto wrong = difference_of_lists(bodies, reply.first.earliest, first, "first contact")) return wrong;
   const double toi = first.empty() ? kNever : first.front().answer.toi;
   if (reply.first.contact == first.empty() || reply.first.toi != toi) {
-    return BodyFailure{FuzzFailure::differs, "first contact",
-                       std::string("told").append(at_time(reply.first.toi)).append(", exact").append(at_time(toi))};
+    return SceneFailure{FuzzFailure::differs, "first contact",
+                        std::string("told").append(at_time(reply.first.toi)).append(", exact").append(at_time(toi))};
   }
   if (auto wrong = judge_start(bodies, motions, reply.first)) return wrong;
   return judge_step(bodies, motions, reply.first, reply.step);

@@ -8,9 +8,9 @@
 #include <vector>
 
 #include <touchstone/bodies.hpp>
-#include <touchstone/fuzz.hpp>
 
 #include "families/body_scenes.hpp"
+#include "fuzz/scenes/scene_search.hpp"
 
 namespace touchstone::fuzz {
 
@@ -28,17 +28,10 @@ using BodySolver = std::function<BodyReply(const Bodies&, const std::vector<Rigi
 /// The answers of the library.
 BodyReply library_reply(const Bodies& bodies, const std::vector<RigidMotion>& motions);
 
-/// What is wrong with a reply.
-struct BodyFailure {
-  FuzzFailure failure = FuzzFailure::missed;
-  std::string question;  ///< "first contact", "all contacts", "candidates", "free step", "start"
-  std::string detail;    ///< the pair and the times, for a person
-};
-
 /// Asks, and compares with `solve` by Method::exact for each pair of elements by itself: no box and no tree is used.
 /// Whether a vertex is inside another body's closed surfaces is told by how often a ray from it meets them.
 /// @return nothing when all of it is right
 /// @throws InvalidQuery, InvalidMesh  for a scene without meaning
-std::optional<BodyFailure> judge_bodies(const families::BodyScene& scene, const BodySolver& solver);
+std::optional<SceneFailure> judge_bodies(const families::BodyScene& scene, const BodySolver& solver);
 
 }  // namespace touchstone::fuzz
