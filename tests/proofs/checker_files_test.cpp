@@ -176,7 +176,9 @@ TEST_CASE("names and words from files only show") {
                     bad = folder.write(hostile + ".bad", "x\x1b[1m\xe2\x80\xae\n");
   const CheckerRun good = run_checker(proofs + " '" + queries + "'");
   CHECK(good.status == 0);
-  CHECK(good.text == folder.path(shown) + ": 1 point-point query\n1 query checked: 0 contacts, 1 without contact\n");
+  CHECK(good.text == folder.path(shown) +
+                         ": 1 point-point query; the proofs name no digest of the file\n1 query checked: 0 contacts, 1 "
+                         "without contact\n");
   const CheckerRun missing = run_checker("'" + queries + "x' '" + queries + "'");
   CHECK(missing.text.find("touchstone-check: " + folder.path(shown) + "x: cannot be opened") == 0);
   CHECK(run_checker(proofs + " '" + bad + "'").text.find(folder.path(shown) + ".bad:1: ") != std::string::npos);

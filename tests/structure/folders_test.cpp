@@ -50,7 +50,8 @@ TEST_CASE("at most two folders have a source of one name") {
 
 TEST_CASE("constants and types of unnamed namespaces have different names in a layer, as unity builds need it") {
   const std::regex unnamed(R"(\nnamespace \{\n[^]*?\n\}  // namespace\n)");
-  const std::regex name(R"(\n(?:constexpr|const|struct|class|enum class) (?:[\w:<>, *]+ )?(\w+)[^(\n]*[={;])");
+  const std::regex name(
+      R"(\n(?:(?:struct|class|enum class) (\w+)|(?:constexpr|const)[^(\n]* (k[A-Z]\w*))[^(\n]*[={;])");
   std::map<std::string, std::set<std::string>> files;  // by layer and name
   std::size_t layers = 0;
   for (const auto& entry : std::filesystem::recursive_directory_iterator(kSources)) {
@@ -66,7 +67,7 @@ TEST_CASE("constants and types of unnamed namespaces have different names in a l
       for (std::sregex_iterator part(text.begin(), text.end(), unnamed); part != end; ++part) {
         const std::string names = part->str();
         for (std::sregex_iterator found(names.begin(), names.end(), name); found != end; ++found) {
-          files[layer.filename().string() + ": " + (*found)[1].str()].insert((*one)[1].str());
+          files[layer.filename().string() + ": " + (*found)[1].str() + (*found)[2].str()].insert((*one)[1].str());
         }
       }
     }
