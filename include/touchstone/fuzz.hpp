@@ -1,4 +1,4 @@
-// Touchstone: find queries on which your solver is wrong. This header belongs to a second library: link
+// Touchstone: find queries, and whole steps of meshes, on which your solver is wrong. This header belongs to a second library: link
 // touchstone::fuzz.
 // SPDX-License-Identifier: MIT
 #pragma once
@@ -13,6 +13,7 @@
 
 #include <touchstone/answer.hpp>
 #include <touchstone/certify.hpp>
+#include <touchstone/mesh.hpp>
 #include <touchstone/names.hpp>
 #include <touchstone/query.hpp>
 #include <touchstone/separation.hpp>
@@ -126,6 +127,95 @@ struct FuzzReport {
 /// @return the failures found
 /// @throws InvalidQuery  for options without meaning: an unknown family or kind, no cases, a fraction outside [0, 1]
 FuzzReport fuzz_solver(const std::function<Claim(const Query&)>& solver, const FuzzOptions& options = {});
+
+/// What a simulator's collision detection answers about a whole mesh in a step, in which each vertex moves on a straight
+/// line. What is left out is not judged.
+struct StepReply {
+  /// The fraction of the step, in [0, 1], that it holds to be free of contact, with its end.
+  std::optional<double> free;
+
+  /// The first time in [0, 1] at which two elements are in contact, and 0 if two are at the start; infinity: at none.
+  std::optional<double> first_contact;
+
+  /// The pairs that its broad phase proposes, in any order: every pair that comes into contact must be among them.
+  std::optional<std::vector<MeshPair>> candidates;
+};
+
+/// Two replies are equal when all of their parts are. @param a  one @param b  the other one
+bool operator==(const StepReply& a, const StepReply& b) noexcept;
+
+/// The function under test: a mesh with all of its edges, and the positions at both ends of the step.
+using StepSolver = std::function<StepReply(const Mesh&, const Positions& x0, const Positions& x1)>;
+
+/// Which steps fuzz_steps makes, and which replies it accepts.
+struct StepFuzzOptions {
+  std::uint64_t seed = 1;  ///< The steps are the same for the same seed on every machine.
+
+  std::uint64_t cases = 10'000;  ///< The number of steps to make, at least 1, from all chosen families in turn.
+
+  /// When it is given, the search ends after this time; else, after all cases.
+  std::optional<double> seconds;
+
+  std::vector<std::string>
+      families;  ///< The names of the families, as `touchstone fuzz --help` lists them; empty: all.
+
+  bool separations = true;  ///< Whether meshes may have a separation; without, all steps are about touching.
+  bool groups = true;       ///< Whether meshes may have groups of vertices that do not collide.
+
+  /// Whether a free step may end in its first contact. Without, it must end before.
+  bool may_end_in_contact = false;
+
+  /// A step of 0 is a failure, a stall, where the first contact is after this part of the step, in [0, 1].
+  double stall = 1e-3;
+
+  /// The greatest allowed part of the step, in [0, 1], between a reply's time and a later first contact. Without it,
+  /// every one but a stall is allowed.
+  std::optional<double> early_fraction;
+
+  /// The greatest part of the step, in [0, 1], by which `first_contact` may lie after the exact time.
+  double late_fraction = 0;
+
+  /// Whether the solver is asked twice, and must say the same.
+  bool twice = true;
+
+  std::size_t findings = 32;  ///< The greatest number of findings to shrink and return; 0 for all.
+  int threads = 1;            ///< The number of threads, 1 to 1024, that call the solver at the same time.
+  const std::atomic<bool>* stop = nullptr;  ///< When this becomes true, the call ends soon; null: it runs to its end.
+};
+
+/// All failures of one class that a question has, shown by the simplest step.
+struct StepFuzzFinding {
+  FuzzFailure failure = FuzzFailure::missed;  ///< The class of the failure.
+  std::string question;     ///< "free", "first contact", "candidates", or "all" for a crash and replies that differ.
+  std::string detail;       ///< The elements and the times, for a person.
+  std::uint64_t count = 0;  ///< The number of steps that failed in this way.
+  Mesh mesh;                ///< The shrunk mesh.
+  std::vector<double> x0;   ///< The positions of its vertices at the start: x y z x y z ...
+  std::vector<double> x1;   ///< The same at the end.
+  std::string case_name;    ///< The name of the step before it was shrunk.
+};
+
+/// The finding as a few lines of text. @param finding  which
+std::string to_string(const StepFuzzFinding& finding);
+
+/// The result of fuzz_steps.
+struct StepFuzzReport {
+  std::uint64_t steps = 0;                ///< The number of steps that were asked and judged.
+  std::uint64_t failures = 0;             ///< The number of steps with a wrong reply.
+  std::size_t kinds_of_failure = 0;       ///< The number of findings, including those beyond StepFuzzOptions::findings.
+  std::vector<StepFuzzFinding> findings;  ///< The findings, at most StepFuzzOptions::findings of them.
+  bool stopped = false;                   ///< Whether StepFuzzOptions::stop ended the call.
+};
+
+/// Asks `solver` about steps of small meshes that are hard, as simulators meet them, and judges its replies by the exact
+/// answers to all pairs of elements, each asked by itself: no box and no tree is used. After a failure, the solver is
+/// called with simpler steps, to shrink it: fewest elements first, then numbers that a person reads. An exception from
+/// the solver is the failure `crash`.
+/// @param solver   the function under test
+/// @param options  which steps, and which replies are accepted
+/// @return the failures found
+/// @throws InvalidQuery  for options without meaning: an unknown family, no cases, a fraction outside [0, 1]
+StepFuzzReport fuzz_steps(const StepSolver& solver, const StepFuzzOptions& options = {});
 
 }  // namespace TOUCHSTONE_ABI
 }  // namespace touchstone

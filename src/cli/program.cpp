@@ -24,6 +24,7 @@
 #include "cli/doctor/doctor.hpp"
 #include "cli/explain/explain.hpp"
 #include "cli/fuzz/fuzz.hpp"
+#include "cli/fuzz/fuzz_steps.hpp"
 #include "cli/generate/generate.hpp"
 #include "cli/merge.hpp"
 #include "cli/mesh/mesh.hpp"
@@ -135,6 +136,7 @@ int parse_and_run(int argc, const char* const* argv) {
       "  touchstone bench --filter simulation              the time of an answer\n"
       "  touchstone report --out report                    error against run time of every method\n"
       "  touchstone fuzz --solver paper                    the simplest queries on which a solver is wrong\n"
+      "  touchstone fuzz-steps --solver-command ./theirs   the simplest steps of a mesh on which a program is wrong\n"
       "  touchstone stress --out stress                    where each method breaks as queries get stiff\n"
       "  touchstone simulate hoop --out hoop               a basketball through a net, each step proved\n"
       "  touchstone mesh --report report.json cloth-*.obj  is each step of an animation free of contact?\n"
@@ -167,6 +169,7 @@ int parse_and_run(int argc, const char* const* argv) {
   add_bench(program, command);
   add_report(program, command);
   add_fuzz(program, command);
+  add_fuzz_steps(program, command);
   add_audit(program, command);
   add_stress(program, command);
   add_simulate(program, command);

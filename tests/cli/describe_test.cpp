@@ -166,16 +166,19 @@ TEST_CASE("the man page has every subcommand and option, and the text of their h
   const std::string page = described("man");
   CHECK(occurrences(page, std::string("\"touchstone ") + touchstone::version() + "\"") == 1);
   const Help top = help_of({});
+  const auto with_dashes = [](const std::string& text) {
+    std::string shown;
+    for (const char c : text) shown.append(c == '-' ? "\\-" : std::string(1, c));
+    return shown;
+  };
   for (const std::string& command : top.subcommands) {
     CAPTURE(command);
-    CHECK(occurrences(page, "\n.SS " + command + "\n") == 1);
-    const std::string section = page.substr(page.find("\n.SS " + command + "\n"));
+    const std::string title = "\n.SS " + with_dashes(command) + "\n";
+    REQUIRE(occurrences(page, title) == 1);
+    const std::string section = page.substr(page.find(title));
     for (const std::string& option : help_of({command}).options) {
       CAPTURE(option);
-      std::string shown = "\\fB";
-      for (const char c : option) shown.append(c == '-' ? "\\-" : std::string(1, c));
-      shown += "\\fR";
-      CHECK(section.find(shown) < section.find("\n.SS ", 1));
+      CHECK(section.find("\\fB" + with_dashes(option) + "\\fR") < section.find("\n.SS ", 1));
     }
   }
   CHECK(page.find(".SS describe") == std::string::npos);

@@ -51,7 +51,7 @@ TEST_CASE("bad usage ends with status 2 and one line") {
   check_refused(
       {"juggle"},
       "juggle is no subcommand; they are solve, certify, explain, view, prove, convert, generate, bench, report, "
-      "fuzz, audit, stress, simulate, mesh, bodies, merge, scenes and doctor");
+      "fuzz, fuzz-steps, audit, stress, simulate, mesh, bodies, merge, scenes and doctor");
   check_refused({"certify", "a.csv", "--level", "fast", "--level", "exact"}, "--level");
   check_refused({"explain", "--query", "99999999999999999999", "a.csv"}, "--query");
   check_refused({"solve"}, "FILE");

@@ -19,7 +19,7 @@ const LayerTable& layer_table() {
       {"certify", {"solver", "numbers"}},
       {"baselines", {"geometry"}},
       {"seeded", {}},
-      {"families", {"geometry", "rigid", "seeded"}},
+      {"families", {"geometry", "mesh", "numbers", "rigid", "seeded"}},
       {"broad_phase", {"threads"}},
       {"mesh", {"solver", "broad_phase", "filters", "threads", "geometry", "numbers"}},
       {"rigid", {"mesh", "solver", "broad_phase", "filters", "threads", "geometry", "numbers"}},
