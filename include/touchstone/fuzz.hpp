@@ -1,6 +1,5 @@
-// Touchstone: find queries, and whole steps of meshes, on which your solver is wrong. This header belongs to a second library: link
-// touchstone::fuzz.
-// SPDX-License-Identifier: MIT
+// Touchstone: find queries, and whole steps of meshes, on which your solver is wrong. This header belongs to a second
+// library: link touchstone::fuzz. SPDX-License-Identifier: MIT
 #pragma once
 
 #include <atomic>
@@ -128,8 +127,8 @@ struct FuzzReport {
 /// @throws InvalidQuery  for options without meaning: an unknown family or kind, no cases, a fraction outside [0, 1]
 FuzzReport fuzz_solver(const std::function<Claim(const Query&)>& solver, const FuzzOptions& options = {});
 
-/// What a simulator's collision detection answers about a whole mesh in a step, in which each vertex moves on a straight
-/// line. What is left out is not judged.
+/// What a simulator's collision detection answers about a whole mesh in a step, in which each vertex moves on a
+/// straight line. What is left out is not judged.
 struct StepReply {
   /// The fraction of the step, in [0, 1], that it holds to be free of contact, with its end.
   std::optional<double> free;
@@ -207,10 +206,10 @@ struct StepFuzzReport {
   bool stopped = false;                   ///< Whether StepFuzzOptions::stop ended the call.
 };
 
-/// Asks `solver` about steps of small meshes that are hard, as simulators meet them, and judges its replies by the exact
-/// answers to all pairs of elements, each asked by itself: no box and no tree is used. After a failure, the solver is
-/// called with simpler steps, to shrink it: fewest elements first, then numbers that a person reads. An exception from
-/// the solver is the failure `crash`.
+/// Asks `solver` about steps of small meshes that are hard, as simulators meet them, and judges its replies by the
+/// exact answers to all pairs of elements, each asked by itself: no box and no tree is used. After a failure, the
+/// solver is called with simpler steps, to shrink it: fewest elements first, then numbers that a person reads. An
+/// exception from the solver is the failure `crash`.
 /// @param solver   the function under test
 /// @param options  which steps, and which replies are accepted
 /// @return the failures found

@@ -1,6 +1,6 @@
 (* touchstone-check-proved again and again, each time in a fork of this process, for compare_checkers.py: to start it
-   anew costs more than the checks. A line of the input holds the arguments, with tabs between them; a line of the output
-   is the exit status, or a signal below zero.
+   anew costs more than the checks. A line of the input holds the arguments, with tabs between them; a line of the
+   output is the exit status, or a signal below zero.
    SPDX-License-Identifier: MIT *)
 let () =
   let answers = Unix.out_channel_of_descr (Unix.dup Unix.stdout) in

@@ -87,7 +87,8 @@ def compare(arguments, folder):
     for name, _, proof, contents in small_cases.all_cases():
         comparison.run(f"small {name}", proof, contents)
     for name, kind, rows, lines in mutate_proofs.forgeries():
-        comparison.case(f"forged {name}", mutate_proofs.File([], kind, rows, [[[line.split() for line in lines]]]), True)
+        proofs = [[[line.split() for line in lines]]]
+        comparison.case(f"forged {name}", mutate_proofs.File([], kind, rows, proofs), True)
     cases = []
     contents = [mutate_proofs.read_text(path) for path in arguments.files]
     for file in mutate_proofs.read_files(mutate_proofs.read_text(arguments.proofs), contents):
@@ -135,7 +136,8 @@ def main():
     # Each sort of outcome was met, so that no comparison is about nothing.
     met = [("small", 0), ("small", 1), ("small", 2), ("forged", 1), ("given", 0), ("flipped", 1), ("mutant", 0),
            ("mutant", 1), ("mutant", 2)]
-    comparison.failures += [f"{sort}: no status {status}" for sort, status in met if not comparison.counts[sort, status]]
+    comparison.failures += [f"{sort}: no status {status}" for sort, status in met
+                            if not comparison.counts[sort, status]]
     for failure in comparison.failures[:10]:
         print(failure, file=sys.stderr)
     print(f"{len(comparison.failures)} differences")

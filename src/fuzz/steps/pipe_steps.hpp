@@ -22,7 +22,8 @@ std::string step_line(const Mesh& mesh, const Positions& x0, const Positions& x1
 StepReply read_step_reply(std::string_view line, const Mesh& mesh);
 
 /// The program of a command line, in a process that ends with the calling thread, on which alone the function may be
-/// called. One that ends, hangs or says what is no reply is started again for the next step. The function throws NoReply.
+/// called. One that ends, hangs or says what is no reply is started again for the next step. The function throws
+/// NoReply.
 /// @throws Error  when the program cannot be started
 StepSolver run_step_command(const std::string& command_line, const Limits& limits);
 

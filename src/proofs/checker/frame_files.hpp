@@ -33,8 +33,8 @@ class FrameFiles {
   }
 
   /// @param end  0 for the first frame of the step, 1 for the second one
-  /// @throws Rejected unless that frame is its files, bit by bit, and its elements are their triangles, lines and points,
-  /// with the sides and corners of these; other vertices may be points, too
+  /// @throws Rejected unless that frame is its files, bit by bit, and its elements are their triangles, lines and
+  /// points, with the sides and corners of these; other vertices may be points, too
   void check_frame(const MotionFile& motion, std::size_t end) {
     if (empty()) return;
     const std::size_t frame = motion.frame_count() - 2 + end;

@@ -76,8 +76,8 @@ std::uint64_t AnswerReader::number_of(std::string_view query) const {
   return static_cast<std::uint64_t>(whole);
 }
 
-/// The first column has no name, as where pandas writes the index of a table. Of rows that were sorted or left out it is
-/// not their number, and nobody knows whether it numbers the queries.
+/// The first column has no name, as where pandas writes the index of a table. Of rows that were sorted or left out it
+/// is not their number, and nobody knows whether it numbers the queries.
 void AnswerReader::require_in_order(std::string_view index) const {
   const std::optional<double> number = parse_exact_double(index);
   if (number && *number != static_cast<double>(rows_)) {
