@@ -553,3 +553,41 @@ TEST_CASE("mesh: a checker compares a motion with the frames, bit by bit") {
   with_motion("frame\n", "edge 0 3\nframe\n", "edge 6 of the motion is no line of the files and no side");
   with_motion("frame\n", "face 0 1 3\nedge 0 3\nedge 1 3\nframe\n", "face 2 of the motion is none of the files");
 }
+
+TEST_CASE("mesh: a checker wants the loose points of each part, and as many vertices in each frame") {
+  const TemporaryFolder folder;
+  for (int i = 0; i < 2; ++i) {
+    const std::string end = std::to_string(i) + ".obj", z = std::to_string(3 - i);
+    folder.write("a-" + end, "v 0 0 " + z + "\nv 1 0 " + z + "\n");
+    folder.write("b-" + end, "v 0 0 0\nv 9 0 0\nv 0 9 0\nf 1 2 3\n");
+    folder.write("c-" + end, std::string(i == 0 ? "" : "v 5 5 5\n") + "v 0 0 " + z + "\n");
+    folder.write("d-" + end, std::string(i == 0 ? "v 5 5 5\n" : "") + "v 9 0 0\nv 9 9 0\nv 0 9 0\n");
+  }
+  const std::string a = folder.path("a-*.obj"), b = folder.path("b-*.obj");
+  REQUIRE(run({"mesh", "--parts", "--prove", folder.path("out")}, {a, b}).status == 0);
+  const auto compared = [&](const std::string& first, const std::string& second) {
+    return check(folder, "out", {"--allow-empty", "--frames", first, "--frames", second});
+  };
+  const auto refused = [&](const Run& now, int status, const std::string& reason) {
+    CAPTURE(now.out, now.err, reason);
+    CHECK(now.status == status);
+    CHECK(occurrences(now.err, reason) == 1);
+  };
+  CHECK(compared(a, b).status == 0);
+  refused(compared(folder.path("a-[[:digit:]].obj"), b), 2, "--frames takes sets such as [0-9] alone");
+  std::string motion = folder.read("out/motion.txt"), proofs = folder.read("out/proofs.txt");
+  motion.erase(motion.find("point 1\n"), 8);
+  proofs.replace(proofs.find("file mesh ") + 10, 64, io::sha256(motion));
+  folder.write("out/motion.txt", motion);
+  folder.write("out/proofs.txt", proofs);
+  refused(compared(a, b), 1, "a point of the file is none of the motion");
+  const Run unnamed = check(folder, "out", {"--allow-empty"});
+  CHECK(occurrences(unnamed.out, ", 1 vertex is in no element") == 1);
+  // Frames whose vertices move from one part to the other.
+  motion = "touchstone-motion 1\nvertices 5\n";
+  for (int v = 0; v < 5; ++v) motion += "point " + std::to_string(v) + "\n";
+  motion += "frame\n0 0 3\n5 5 5\n9 0 0\n9 9 0\n0 9 0\nframe\n5 5 5\n0 0 2\n9 0 0\n9 9 0\n0 9 0\n";
+  folder.write("out/motion.txt", motion);
+  folder.write("out/proofs.txt", "touchstone-proofs 1\nfile mesh - m\nstep 0\nend 0 0\n");
+  refused(compared(folder.path("c-*.obj"), folder.path("d-*.obj")), 1, "c-1.obj: 2 vertices, and ");
+}

@@ -738,8 +738,12 @@ class Motion:
         if self.fixed:
             counts.append(counted(len(self.fixed), "fixed vertex", "fixed vertices"))
         if self.bodies:
+            members = {}
+            for vertex, (body, _) in self.bodies.items():
+                members.setdefault(body, []).append(vertex)
             on_bodies = counted(len(self.bodies), "vertex", "vertices")
-            counts.append(f"{on_bodies} on {counted(self.body_count, 'body', 'bodies')}")
+            counts.append(f"{on_bodies} on {counted(len(members), 'body', 'bodies')}")
+            counts.append("where " + self.text_of_runs(members, sorted(members)))
         if self.touching:
             counts.append(counted(len(self.touching), "pair", "pairs") + " asked about touching alone")
             apart = self.touching_apart()
@@ -755,6 +759,10 @@ class Motion:
             counts.append(counted(len(corners), "corner is no point", "corners are no points"))
         if sides:
             counts.append(counted(len(sides), "side is no edge", "sides are no edges"))
+        every = itertools.chain(*(self.elements[sort] for sort in (b"point", b"edge", b"face")))
+        unused = self.count - len(set(itertools.chain(*every)))
+        if unused:
+            counts.append(counted(unused, "vertex is in no element", "vertices are in no element"))
         return ", ".join(counts)
 
     def touching_apart(self):
@@ -781,14 +789,19 @@ class Motion:
         shown = "".join(f" {g}-{h}" for g, h in pairs)
         yield f"{counted(len(members), 'group', 'groups')} of vertices"
         yield f"{counted(len(pairs), 'pair', 'pairs')} of groups not asked about:{shown}"
-        word = "where "
-        for group in sorted(set(itertools.chain(*pairs))):
-            vertices = set(members.get(group, []))
+        yield "where " + self.text_of_runs(members, sorted(set(itertools.chain(*pairs))))
+
+    @staticmethod
+    def text_of_runs(members, named):
+        """The vertices of groups or bodies: "0 has vertices 0 to 7 and vertex 9"."""
+        texts = []
+        for number in named:
+            vertices = set(members.get(number, []))
             starts = sorted(v for v in vertices if v - 1 not in vertices)
             ends = sorted(v for v in vertices if v + 1 not in vertices)
             runs = [f"vertex {v}" if v == w else f"vertices {v} to {w}" for v, w in zip(starts, ends)]
-            yield f"{word}{group} has {' and '.join(runs) or 'no vertex'}"
-            word = ""
+            texts.append(f"{number} has {' and '.join(runs) or 'no vertex'}")
+        return ", ".join(texts)
 
     def pairs(self, start, end, reach):
         """A sweep along the x axis: at each box, the boxes before it whose end is not yet left behind."""

@@ -215,12 +215,16 @@ TEST_CASE("motions: a body's pose moves its elements") {
   call_bad("body V B X Y Z", falls("body 2 0 0 0\n") + good);
   call_bad("is no number", falls("body 2 0 0 0 0.5\n") + good);
   // All on one body, or fixed: no pair in any step, so that there is nothing to check.
-  call_bad("2 edges, 0 faces, 4 vertices on 1 body, 4 corners are no points, but no two elements",
-           falls("body 2 0 0 -1 0\nbody 3 0 0 1 0\n") + "frame\n1 0 0 0 0 0 1\nframe\n1 0 0 0 0 0 2\n");
+  call_bad(
+      "2 edges, 0 faces, 4 vertices on 1 body, where 0 has vertices 0 to 3, 4 corners are no points, but no two "
+      "elements",
+      falls("body 2 0 0 -1 0\nbody 3 0 0 1 0\n") + "frame\n1 0 0 0 0 0 1\nframe\n1 0 0 0 0 0 2\n");
   const std::string still = "frame\n1 0 0 0 0 0 0\n" + rest;
   reject("pair 0", falls("fixed 2\nfixed 3\nfixed 0\n") + still + still, "step 0\n", "0 0");
-  call_bad("4 fixed vertices, 2 vertices on 1 body, 4 corners are no points, but no two elements",
-           falls("fixed 2\nfixed 3\nfixed 0\nfixed 1\n") + still + still);
+  call_bad(
+      "4 fixed vertices, 2 vertices on 1 body, where 0 has vertices 0 to 1, 4 corners are no points, but no two "
+      "elements",
+      falls("fixed 2\nfixed 3\nfixed 0\nfixed 1\n") + still + still);
 }
 
 TEST_CASE("motions: the box of a body's vertex is around the quotients of Bernstein coefficients, rounded outwards") {
@@ -292,6 +296,8 @@ TEST_CASE("motions: proofs of nothing are refused") {
     call_bad("there is nothing to check: 2 frames, 2 vertices, ", kFirst + "vertices 2\n" + elements + frames);
   };
   bad("");  // positions alone
+  call_bad("0 faces, 2 vertices are in no element, but no two", kFirst + "vertices 2\n" + frames);
+  call_bad("0 faces, 1 vertex is in no element, but no two", kFirst + "vertices 2\npoint 0\n" + frames);
   bad("point 0\n");
   bad("edge 0 1\npoint 0\n");
   bad("edge 0 1\nedge 1 0\n");
@@ -308,8 +314,10 @@ TEST_CASE("motions: proofs of nothing are refused") {
     head += "edge " + std::to_string(v) + " " + std::to_string(v + 1) + "\n";
     for (const int w : {v, v + 1}) head += "body " + std::to_string(w) + " 0 " + std::to_string(w) + " 0 0\n";
   }
-  call_bad("10000 edges, 0 faces, 20000 vertices on 1 body, 20000 corners are no points, but",
-           head + "frame\n1 0 0 0 0 0 0\nframe\n1 0 0 0 0 0 1\n");
+  call_bad(
+      "10000 edges, 0 faces, 20000 vertices on 1 body, where 0 has vertices 0 to 19999, 20000 corners are no points, "
+      "but",
+      head + "frame\n1 0 0 0 0 0 0\nframe\n1 0 0 0 0 0 1\n");
 }
 
 TEST_CASE("motions: files with an error") {

@@ -46,7 +46,13 @@ class FrameFiles {
       if (frame >= sequence.files.size() && !is_at_rest(sequence))
         throw Rejected("the motion has more frames than --frames names files");
       const std::string& file = sequence.files[is_at_rest(sequence) ? 0 : frame];
-      if (sequence.name != file) sequence.mesh = read_mesh(file);
+      if (sequence.name != file) {
+        MeshFile mesh = read_mesh(file);
+        require(sequence.name.empty() || mesh.positions.size() == sequence.mesh.positions.size(),
+                file + ": " + counted(mesh.positions.size() / 3, "vertex", "vertices") + ", and " + sequence.name +
+                    " has another number");
+        sequence.mesh = std::move(mesh);
+      }
       sequence.name = file;
       check_sequence(motion.coordinates(end), elements, sequence, first,
                      file + " and frame " + std::to_string(frame) + ": ", of_files);
@@ -129,7 +135,12 @@ class FrameFiles {
       require(elements.edges.count(side(first + v, first + w)) > 0,
               what + "a line of the file is no edge of the motion");
     }
-    for (const std::uint32_t v : mesh.points) {
+    std::vector<std::uint32_t> points = mesh.points;
+    if (mesh.faces.empty() && mesh.edges.empty() && points.empty()) {  // of vertices alone, all are points
+      points.resize(mesh.positions.size() / 3);
+      std::iota(points.begin(), points.end(), 0U);
+    }
+    for (const std::uint32_t v : points) {
       require(elements.points.count(first + v) > 0, what + "a point of the file is none of the motion");
     }
   }

@@ -23,6 +23,9 @@ struct MeshFile {
 
 /// The files that a pattern names. Digits in their names count as numbers: a-2 comes before a-10.
 inline std::vector<std::string> files_of(const std::string& pattern) {
+  for (const char* const with_class : {"[[:", "[[=", "[[."}) {
+    if (pattern.find(with_class) != pattern.npos) throw BadInput(pattern + ": --frames takes sets such as [0-9] alone");
+  }
   glob_t found{};
   const bool any = glob(pattern.c_str(), GLOB_NOSORT, nullptr, &found) == 0;
   std::vector<std::string> files;

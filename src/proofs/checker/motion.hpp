@@ -144,13 +144,25 @@ class MotionFile {
     }
     if (!elements_[3].empty()) text += ", " + counted(elements_[3].size(), "fixed vertex", "fixed vertices");
     if (body_count_ > 0) {
-      text +=
-          ", " + counted(elements_[4].size(), "vertex", "vertices") + " on " + counted(body_count_, "body", "bodies");
+      Runs bodies;
+      for (const auto& [vertex, on_body] : on_bodies_) add_to_run(bodies[on_body.first], vertex);
+      text += ", " + counted(elements_[4].size(), "vertex", "vertices") + " on " +
+              counted(bodies.size(), "body", "bodies") + ", where ";
+      std::set<std::uint32_t> named;
+      for (const auto& [body, runs] : bodies) named.insert(body);
+      text += text_of_runs(bodies, named);
     }
     text += touching() + ignored();
     const auto [corners, sides] = undeclared();
     if (corners > 0) text += ", " + counted(corners, "corner is no point", "corners are no points");
     if (sides > 0) text += ", " + counted(sides, "side is no edge", "sides are no edges");
+    std::set<std::uint32_t> used;
+    for (std::size_t sort = 0; sort < 3; ++sort) {
+      for (const Element& e : elements_[sort])
+        used.insert(e.vertices.begin(), e.vertices.begin() + static_cast<long>(e.size));
+    }
+    const std::size_t unused = count_ - used.size();
+    if (unused > 0) text += ", " + counted(unused, "vertex is in no element", "vertices are in no element");
     return text;
   }
 
@@ -292,6 +304,25 @@ class MotionFile {
     }
   }
 
+  /// Of groups or bodies the first and the last vertex of each run, in ascending order.
+  using Run = std::array<std::uint32_t, 2>;
+  using Runs = std::map<std::uint32_t, std::vector<Run>>;
+  static void add_to_run(std::vector<Run>& runs, std::uint32_t vertex) {
+    if (runs.empty() || runs.back()[1] + 1 < vertex) runs.push_back({vertex, vertex});
+    runs.back()[1] = vertex;
+  }
+  /// "0 has vertices 0 to 7 and vertex 9, 5 has no vertex".
+  static std::string text_of_runs(Runs& all, const std::set<std::uint32_t>& named) {
+    std::string text;
+    for (const std::uint32_t number : named) {
+      text += (text.empty() ? "" : ", ") + std::to_string(number) + " has ";
+      const std::vector<Run>& runs = all[number];
+      if (runs.empty()) text += "no vertex";
+      for (std::size_t i = 0; i < runs.size(); ++i) text += (i > 0 ? " and " : "") + vertices(runs[i][0], runs[i][1]);
+    }
+    return text;
+  }
+
   /// ", 4 pairs asked about touching alone, 1 of them joined by no edges", if there are some.
   std::string touching() const {
     if (touching_.empty()) return "";
@@ -317,12 +348,8 @@ class MotionFile {
   /// are some.
   std::string ignored() const {
     if (ignored_.empty()) return "";
-    std::map<std::uint32_t, std::vector<std::array<std::uint32_t, 2>>> groups;  // their runs of vertices
-    for (const auto& [vertex, group] : groups_) {
-      auto& runs = groups[group];
-      if (runs.empty() || runs.back()[1] + 1 < vertex) runs.push_back({vertex, vertex});
-      runs.back()[1] = vertex;
-    }
+    Runs groups;
+    for (const auto& [vertex, group] : groups_) add_to_run(groups[group], vertex);
     std::string text = ", " + counted(groups.size(), "group", "groups") + " of vertices, " +
                        counted(ignored_.size(), "pair", "pairs") + " of groups not asked about:";
     std::set<std::uint32_t> named;
@@ -330,15 +357,7 @@ class MotionFile {
       text += " " + std::to_string(g) + "-" + std::to_string(h);
       named.insert({g, h});
     }
-    const char* before = ", where ";
-    for (const std::uint32_t group : named) {
-      text += before + std::to_string(group) + " has ";
-      before = ", ";
-      const auto& runs = groups[group];
-      if (runs.empty()) text += "no vertex";
-      for (std::size_t i = 0; i < runs.size(); ++i) text += (i > 0 ? " and " : "") + vertices(runs[i][0], runs[i][1]);
-    }
-    return text;
+    return text + ", where " + text_of_runs(groups, named);
   }
 
   /// Sets the edges that are no sides of faces, and the pairs of vertices that they join.

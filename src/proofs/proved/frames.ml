@@ -27,6 +27,10 @@ let rec fits p i s j =
     | c -> one (Char.equal c) (i + 1)
 (* The files that a pattern names. Digits in their names count as numbers: a-2 comes before a-10. *)
 let files_of pattern =
+  let starts_class i c = c = '[' && i + 2 < String.length pattern && pattern.[i + 1] = '[' &&
+    String.contains ":=." pattern.[i + 2] in
+  if List.exists Fun.id (List.mapi starts_class (List.of_seq (String.to_seq pattern))) then
+    raise (Bad (pattern ^ ": --frames takes sets such as [0-9] alone"));
   let is_special = String.exists (fun c -> String.contains "*?[\\" c) in
   let rec expand base = function
     | [] -> if Sys.file_exists base then [base] else []
@@ -250,7 +254,13 @@ let comparison parts m =
     require (number < Array.length p.files || is_at_rest parts p) (fun () ->
       "the motion has more frames than --frames names files");
     let name = p.files.(if is_at_rest parts p then 0 else number) in
-    if p.name <> name then p.file <- read_mesh name;
+    if p.name <> name then begin
+      let file = read_mesh name in
+      let count = Array.length file.positions in
+      require (p.name = "" || count = Array.length p.file.positions) (fun () ->
+        Printf.sprintf "%s: %s, and %s has another number" name (counted (count / 3) "vertex" "vertices") p.name);
+      p.file <- file
+    end;
     p.name <- name;
     let what reason () = Printf.sprintf "%s and frame %d: %s" name number reason in
     let { positions; triangles; lines; points = some } = p.file in
@@ -267,6 +277,7 @@ let comparison parts m =
       what (Printf.sprintf "face %d of the file, counted from 0, is none of the motion" i) ());
       List.iter (fun side -> ignore (is_in edges side)) (sides (face @ [List.hd face]))) triangles;
     List.iter (fun line -> require (is_in edges line) (what "a line of the file is no edge of the motion")) lines;
+    let some = if triangles = [] && lines = [] && some = [] then List.init count Fun.id else some in
     List.iter (fun v -> require (is_in points [v]) (what "a point of the file is none of the motion")) some;
     first + count in
   fun frame number -> if parts <> [] then begin

@@ -211,29 +211,41 @@ let touching_pairs m =
   let apart = Hashtbl.fold (fun (a, b) () n -> if one_of a = one_of b then n else n + 1) m.touching 0 in
   counted (Hashtbl.length m.touching) "pair" "pairs" ^ " asked about touching alone"
   ^ if apart > 0 then Printf.sprintf ", %d of them joined by no edges" apart else ""
-(* The pairs of groups that are ignored, and the vertices of these groups. *)
-let ignored_groups { of_vertices; ignored_pairs } =
-  let sorted table = List.sort compare (List.of_seq table) in
-  let members = sorted (Hashtbl.to_seq of_vertices) and pairs = sorted (Hashtbl.to_seq_keys ignored_pairs) in
-  let runs group =
+(* Of groups or bodies, each vertex with its number in ascending order. @returns "0 has vertices 0 to 7 and vertex 9" *)
+let text_of_runs members named =
+  let of_number number =
     let add runs (v, g) = match runs with
-      | _ when g <> group -> runs
+      | _ when g <> number -> runs
       | (first, last) :: rest when last + 1 = v -> (first, v) :: rest
       | _ -> (v, v) :: runs in
     match List.rev_map (fun (first, last) -> vertices first last) (List.fold_left add [] members) with
-    | [] -> Printf.sprintf "%d has no vertex" group
-    | runs -> Printf.sprintf "%d has %s" group (String.concat " and " runs) in
+    | [] -> Printf.sprintf "%d has no vertex" number
+    | runs -> Printf.sprintf "%d has %s" number (String.concat " and " runs) in
+  String.concat ", " (List.map of_number named)
+let in_order table = List.sort compare (List.of_seq table)
+(* The pairs of groups that are ignored, and the vertices of these groups. *)
+let ignored_groups { of_vertices; ignored_pairs } =
+  let members = in_order (Hashtbl.to_seq of_vertices) and pairs = in_order (Hashtbl.to_seq_keys ignored_pairs) in
   let named = List.sort_uniq compare (List.concat_map (fun (g, h) -> [g; h]) pairs) in
   Printf.sprintf "%s of vertices, %s of groups not asked about: %s, where %s"
     (counted (List.length (List.sort_uniq compare (List.map snd members))) "group" "groups")
     (counted (List.length pairs) "pair" "pairs")
     (String.concat " " (List.map (fun (g, h) -> Printf.sprintf "%d-%d" g h) pairs))
-    (String.concat ", " (List.map runs named))
+    (text_of_runs members named)
+let vertices_on_bodies m =
+  let members = in_order (Seq.map (fun (v, (b, _)) -> (v, b)) (Hashtbl.to_seq m.on_bodies)) in
+  let bodies = List.sort_uniq compare (List.map snd members) in
+  Printf.sprintf "%s on %s, where %s" (counted (List.length members) "vertex" "vertices")
+    (counted (List.length bodies) "body" "bodies") (text_of_runs members bodies)
+let unused m =
+  let used = Hashtbl.create 64 in
+  let { points; edges; faces; _ } : mesh = m.mesh in
+  List.iter (List.iter (fun e -> List.iter (fun v -> Hashtbl.replace used v ()) e.vertices)) [points; edges; faces];
+  m.size - Hashtbl.length used
 (* What the proofs are about, and what is no element. *)
 let contents m =
   let { points; edges; faces; _ } = m.mesh and (corners, sides) = undeclared m in
   let some n text = if n = 0 then [] else [text] in
-  let on_bodies = Hashtbl.length m.on_bodies in
   let elements l name = counted (List.length l) name (name ^ "s") in
   let with_radii { lengths; near } =
     let of_sort = List.filter_map (fun e -> Hashtbl.find_opt lengths (key_of e)) in
@@ -249,8 +261,9 @@ let contents m =
       elements edges "edge"; elements faces "face"]
      @ Option.fold ~none:[] ~some:with_radii m.radii
      @ some m.fixed_vertices (counted m.fixed_vertices "fixed vertex" "fixed vertices")
-     @ some m.bodies (counted on_bodies "vertex" "vertices" ^ " on " ^ counted m.bodies "body" "bodies")
+     @ (if m.bodies > 0 then [vertices_on_bodies m] else [])
      @ (if Hashtbl.length m.touching > 0 then [touching_pairs m] else [])
      @ (if Hashtbl.length m.groups.ignored_pairs > 0 then [ignored_groups m.groups] else [])
      @ some corners (counted corners "corner is no point" "corners are no points")
-     @ some sides (counted sides "side is no edge" "sides are no edges"))
+     @ some sides (counted sides "side is no edge" "sides are no edges")
+     @ some (unused m) (counted (unused m) "vertex is in no element" "vertices are in no element"))
