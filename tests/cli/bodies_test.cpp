@@ -206,6 +206,7 @@ TEST_CASE("bodies: files that are no two bodies are refused") {
   };
   check_refused(run({scene.bar}), "there is only 1 body");
   check_refused(run({scene.bar, scene.bar}), "is given twice; two bodies of one file have names");
+  check_refused(run({"left=", scene.wall}), "has no file behind the =");
   check_refused(run({"=" + scene.bar, scene.wall}), "has no name before the =");
   check_refused(run({"bar=" + scene.bar, scene.bar}), "two bodies are named 'bar'");
   check_refused(run({"bar=" + scene.folder.path("*.obj"), scene.wall}), " names 2 files");

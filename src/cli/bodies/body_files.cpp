@@ -28,12 +28,16 @@ frames::ReadOptions reading_of(const BodiesRunOptions& options) {
   return reading;
 }
 
-/// "left" of "left=a.obj"; empty where a file has the whole argument as its name.
+/// "left" of "left=a.obj"; empty where the whole argument is a file, or leads to a folder that there is.
 std::string given_name(const std::string& argument) {
   std::error_code ignored;
   const std::size_t end = argument.find('=');
+  const std::filesystem::path folder = std::filesystem::path(argument).parent_path();
   if (end == argument.npos || std::filesystem::exists(argument, ignored)) return {};
+  if (!folder.empty() && folder.string().find('=') != std::string::npos && std::filesystem::exists(folder, ignored))
+    return {};
   if (end == 0) throw Error(fmt::format("{} has no name before the =", io::in_quotes(argument)));
+  if (end + 1 == argument.size()) throw Error(fmt::format("{} has no file behind the =", io::in_quotes(argument)));
   return argument.substr(0, end);
 }
 
