@@ -199,6 +199,8 @@ TEST_CASE("a verdict says that claims have no times, and which columns are not r
        "times for 1 of 2 contacts, not read: 'ns'"},
       {"empty.csv", "contact,toi\n1,\n0,\n1,\n", "no times"},
       {"index.csv", ",hit,toi\n0,1,0.5\n1,0,\n2,1,0.25\n", "not read: ''"},
+      {"from_one.csv", "\"\",hit,toi\n1,1,0.5\n2,0,\n3,1,0.25\n", "not read: ''"},
+      {"again.csv", "Unnamed: 0,hit,toi\n0,1,0.5\n1,0,\n2,1,0.25\n", "not read: 'Unnamed: 0'"},
       {"words.csv", ",hit,toi\na,1,0.5\nb,0,\nc,1,0.25\n", "not read: ''"},
       {"apart.csv", "contact,toi,min_distance\n1,0.5,0\n0,,1\n1,0.25,0\n", "not read: 'min_distance'"},
       {"more.npz",
@@ -336,9 +338,10 @@ TEST_CASE("faults of claims are named with what would be right") {
       {"none.csv", "query,answer\n0,1\n",
        ":1: no column is a 'contact' or a 'toi'; known names are file (or filename), query (or"},
       {"sorted.csv", ",hit,toi\n1,0,\n0,1,0.5\n2,1,0.25\n",
-       ":2: the first column has no name, and is '1' in row 0, counted from 0: is it the number of the query? Then "
+       ":2: a column has no name, and is '1' in row 0, counted from 0: is it the number of the query? Then "
        "name "
        "it query; else delete it"},
+      {"again.csv", "hit,toi,Unnamed: 0\n1,0.5,2\n0,,1\n1,0.25,0\n", ":2: a column has no name, and is '2' in row 0"},
       {"twice.csv", "hit,contact\n0,1\n", ":1: two columns are a 'contact'; --columns says which one is read"},
       {"wide.csv",
        "1,2,3,4\n",

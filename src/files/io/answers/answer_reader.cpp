@@ -41,7 +41,7 @@ bool AnswerReader::next(AnswerRow& row) {
   if (has(ClaimColumn::file)) row.file = text_of_field(field(ClaimColumn::file));
   row.query = std::nullopt;
   if (has(ClaimColumn::query)) row.query = number_of(field(ClaimColumn::query));
-  if (is_first_unnamed_ && !has(ClaimColumn::query)) require_in_order(fields()[0]);
+  if (unnamed_ != kAbsent && !has(ClaimColumn::query)) require_in_order(fields()[unnamed_]);
   ++rows_;
 
   row.contact = true;
@@ -76,12 +76,13 @@ std::uint64_t AnswerReader::number_of(std::string_view query) const {
   return static_cast<std::uint64_t>(whole);
 }
 
-/// The first column has no name, as where pandas writes the index of a table. Of rows that were sorted or left out it
-/// is not their number, and nobody knows whether it numbers the queries.
-void AnswerReader::require_in_order(std::string_view index) const {
+/// A column has no name, as where pandas and R write the index of a table, from 0 or from 1 on. Of rows that were sorted
+/// or left out it is not their number, and nobody knows whether it numbers the queries.
+void AnswerReader::require_in_order(std::string_view index) {
   const std::optional<double> number = parse_exact_double(index);
-  if (number && *number != static_cast<double>(rows_)) {
-    records_.refuse("the first column has no name, and is " + in_quotes(index) + " in row " + std::to_string(rows_) +
+  if (rows_ == 0) first_index_ = number == 1 ? 1 : 0;
+  if (number && *number != static_cast<double>(rows_) + first_index_) {
+    records_.refuse("a column has no name, and is " + in_quotes(index) + " in row " + std::to_string(rows_) +
                     ", counted from 0: is it the number of the query? Then name it query; else delete it");
   }
 }
@@ -157,7 +158,11 @@ void AnswerReader::read_header(const ClaimColumns& columns) {
 
 void AnswerReader::read_names(const std::vector<std::string_view>& names) {
   ClaimColumns named;
-  is_first_unnamed_ = without_blanks(names[0]).empty();
+  const auto is_unnamed = [](std::string_view text) {  // pandas reads such a column as "Unnamed: 0"
+    return without_blanks(text).empty() || text == "\"\"" || in_lower_case(text).starts_with("unnamed");
+  };
+  const auto unnamed = std::find_if(names.begin(), names.end(), is_unnamed);
+  unnamed_ = unnamed == names.end() ? kAbsent : static_cast<std::size_t>(unnamed - names.begin());
   for (const std::string_view text : names) {
     const auto column = claim_column(text);
     if (!column && !is_description(text)) unread_columns_.emplace_back(text);

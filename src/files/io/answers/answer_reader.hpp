@@ -65,7 +65,7 @@ class AnswerReader {
   static constexpr std::size_t kAbsent = std::string::npos;
 
   std::uint64_t number_of(std::string_view query) const;
-  void require_in_order(std::string_view index) const;
+  void require_in_order(std::string_view index);
   void read_toi(std::string_view field, AnswerRow& row) const;
   bool is_beside_upper(double toi) const;
   void read_separation(AnswerRow& row) const;
@@ -83,7 +83,8 @@ class AnswerReader {
   MissingClaim missing_;
   std::uint64_t last_row_ = 0;
   bool has_row_ = false;  ///< whether fields() are a row that next() has not told yet
-  bool is_first_unnamed_ = false;
+  std::size_t unnamed_ = kAbsent;  ///< the first column without a name
+  double first_index_ = 0;         ///< what it says of the first row
   std::uint64_t rows_ = 0;  ///< that next() has told
   std::size_t column_count_ = 0;
   std::array<std::size_t, kClaimColumns> index_{};  ///< position of each column that is read; kAbsent: not there
