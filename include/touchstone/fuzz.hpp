@@ -140,8 +140,9 @@ struct StepReply {
   std::optional<std::vector<MeshPair>> candidates;
 };
 
-/// Two replies are equal when all of their parts are. @param a  one @param b  the other one
-bool operator==(const StepReply& a, const StepReply& b) noexcept;
+/// Two replies are equal when all of their parts are; the order of the candidates, and of the elements of one sort in a
+/// pair, does not matter. @param a  one @param b  the other one
+bool operator==(const StepReply& a, const StepReply& b);
 
 /// The function under test: a mesh with all of its edges, and the positions at both ends of the step.
 using StepSolver = std::function<StepReply(const Mesh&, const Positions& x0, const Positions& x1)>;
@@ -155,8 +156,7 @@ struct StepFuzzOptions {
   /// When it is given, the search ends after this time; else, after all cases.
   std::optional<double> seconds;
 
-  std::vector<std::string>
-      families;  ///< The names of the families, as `touchstone fuzz --help` lists them; empty: all.
+  std::vector<std::string> families;  ///< The names of the families, as `touchstone fuzz-steps --help` lists them.
 
   bool separations = true;  ///< Whether meshes may have a separation; without, all steps are about touching.
   bool groups = true;       ///< Whether meshes may have groups of vertices that do not collide.
@@ -164,7 +164,7 @@ struct StepFuzzOptions {
   /// Whether a free step may end in its first contact. Without, it must end before.
   bool may_end_in_contact = false;
 
-  /// A step of 0 is a failure, a stall, where the first contact is after this part of the step, in [0, 1].
+  /// A free step that is shorter than this part, in [0, 1], of the way to the first contact is a failure: a stall.
   double stall = 1e-3;
 
   /// The greatest allowed part of the step, in [0, 1], between a reply's time and a later first contact. Without it,
@@ -207,7 +207,9 @@ struct StepFuzzReport {
 };
 
 /// Asks `solver` about steps of small meshes that are hard, as simulators meet them, and judges its replies by the
-/// exact answers to all pairs of elements, each asked by itself: no box and no tree is used. After a failure, the
+/// exact answers to all pairs of elements, each asked by itself. No tree is used. A pair is left out only if the least
+/// coordinates of one element in the step are greater than all of the other one's along some axis, by more than the
+/// separation. The pairs are those of Mesh::may_collide, with the separations of Mesh::separation. After a failure, the
 /// solver is called with simpler steps, to shrink it: fewest elements first, then numbers that a person reads. An
 /// exception from the solver is the failure `crash`.
 /// @param solver   the function under test

@@ -287,8 +287,11 @@ TEST_CASE("fuzzed steps: what counts as early, late and a stall is the caller's"
   CHECK(failures(options, [](StepReply&) {}) == 0);
   const auto shorter = [](StepReply& reply) { *reply.free *= 0.75; };
   CHECK(failures(options, shorter) == 0);
+  options.early_fraction = 0;
+  CHECK(failures(options, [](StepReply& reply) { *reply.free = std::nextafter(*reply.free, 0); }) == 0);
   options.early_fraction = 0.125;
   CHECK(failures(options, shorter) > 0);
+  CHECK(failures(options, [](StepReply& reply) { *reply.free = std::min(*reply.free, 1e-300); }) > 0);
   options.early_fraction = 0.25;
   CHECK(failures(options, shorter) == 0);
   const auto later = [](StepReply& reply) { *reply.first_contact += 1e-6; };
@@ -330,8 +333,15 @@ TEST_CASE("fuzzed steps: the line of a step, and the replies that a program may 
   CHECK(all.first_contact == kNever);
   REQUIRE(all.candidates);
   CHECK(*all.candidates == std::vector<MeshPair>{{Kind::vertex_face, 3, 0}, {Kind::point_point, 1, 0}});
+  // In any order, and with either element first.
+  StepReply other = all;
+  std::reverse(other.candidates->begin(), other.candidates->end());
+  std::swap((*other.candidates)[0].first, (*other.candidates)[0].second);
+  CHECK(other == all);
+  other.candidates->pop_back();
+  CHECK(!(other == all));
   const auto refused = [&](const std::string& reply, const std::string& reason) {
-    CAPTURE(reply);
+    CAPTURE(reply.substr(0, 100));
     try {
       fuzz::read_step_reply(reply, mesh);
       FAIL_CHECK("it was read");
@@ -346,11 +356,14 @@ TEST_CASE("fuzzed steps: the line of a step, and the replies that a program may 
   refused("{}", "is no reply");
   refused("[0.5]", "is no reply");
   refused(std::string(100'000, '['), "is no reply");
-  refused(R"({"free": "x"})", "'free: \"x\"' is no word of a reply");
+  refused("{\"free\":" + std::string(400'000, '[') + std::string(400'000, ']') + "}", "is no word of a reply");
+  refused("{\"candidates\":[" + std::string(400'000, '[') + std::string(400'000, ']') + "]}",
+          "a candidate must be such as");
+  refused(R"({"free": "x"})", "'free' is no word of a reply, or has no such value");
   refused(R"({"free": null})", "is no word of a reply");
   refused(R"({"time": 1})", "is no word of a reply");
-  refused(R"({"candidates": [["edge-edge", 0]]})", "it must be such as [\"edge-edge\", 0, 3]");
-  refused(R"({"candidates": [["edge-face", 0, 1]]})", "it must be such as");
-  refused(R"({"candidates": [["edge-edge", 0, -1]]})", "it must be such as");
+  refused(R"({"candidates": [["edge-edge", 0]]})", "a candidate must be such as [\"edge-edge\", 0, 3]");
+  refused(R"({"candidates": [["edge-face", 0, 1]]})", "a candidate must be such as");
+  refused(R"({"candidates": [["edge-edge", 0, -1]]})", "a candidate must be such as");
   refused(R"({"candidates": [["edge-edge", 0, 9999]]})", "names an element that the mesh has not");
 }

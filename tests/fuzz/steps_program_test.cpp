@@ -50,6 +50,7 @@ TEST_CASE("fuzz-steps: a program's finding is written as frames that mesh reads,
   const std::string found = "  found as ";
   const std::size_t at = run.out.find(found) + found.size();
   const std::string name = run.out.substr(at, run.out.find('\n', at) - at);
+  CHECK(occurrences(run.out, " --no-groups --case '" + name + "'\n") == 1);
   const Run again = ask(folder, R"('{"free": 1}')", {"--case", name, "--no-groups"});
   CHECK(again.status == 1);
   CHECK(occurrences(again.out, "1 step asked, 1 with a wrong reply") == 1);
@@ -92,7 +93,7 @@ TEST_CASE("fuzz-steps: what cannot be asked is refused") {
   refused({"--case", "steps_rods 1"}, "is no case; it must be \"FAMILY SEED INDEX\"");
   refused({"--case", "steps_rods 1 1", "--seed", "2"}, "--seed excludes --case");
   refused({"--cases", "0"}, "must be");
-  refused({"--early", "2"}, "2 must be from");
-  refused({"--seconds", "0"}, "0 must be above");
+  refused({"--early", "2"}, "2 must be in [0, 1]");
+  refused({"--seconds", "0"}, "0 must be a number of seconds above 0");
   refused({"--cases", "5", "--seconds", "1"}, "give one of them");
 }

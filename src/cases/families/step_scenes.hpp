@@ -1,4 +1,4 @@
-// Steps of whole meshes as simulators make them, small and hard: for `fuzz --steps` and the tests.
+// Steps of whole meshes as simulators make them, small and hard: for `fuzz-steps` and the tests.
 // SPDX-License-Identifier: MIT
 #pragma once
 

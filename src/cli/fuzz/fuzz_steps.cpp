@@ -82,6 +82,18 @@ std::string show_command(const std::string& folder, const StepFuzzFinding& findi
                      shell_word(names[1]), note);
 }
 
+/// The command that asks about the step before it was shrunk.
+std::string repeat_command(const FuzzStepsOptions& options, const StepFuzzFinding& finding) {
+  std::string text = "  touchstone fuzz-steps";
+  if (!options.command.empty()) text += " --solver-command " + shell_word(options.command);
+  if (!options.search.separations) text += " --no-separation";
+  if (!options.search.groups) text += " --no-groups";
+  if (options.search.may_end_in_contact) text += " --may-end-in-contact";
+  if (options.search.early_fraction) text += fmt::format(" --early {}", *options.search.early_fraction);
+  if (options.search.late_fraction > 0) text += fmt::format(" --late {}", options.search.late_fraction);
+  return text + " --case " + shell_word(finding.case_name) + "\n";
+}
+
 }  // namespace
 
 int run_fuzz_steps(const FuzzStepsOptions& options) {
@@ -119,7 +131,7 @@ int run_fuzz_steps(const FuzzStepsOptions& options) {
   auto console = io::OutputFile::standard_output();
   console.write(in_colour(summary, VerdictLine::last, kinds == 0));
   for (const StepFuzzFinding& finding : findings) {
-    console.write("\n" + to_string(finding));
+    console.write("\n" + to_string(finding) + repeat_command(options, finding));
     if (!options.out.empty()) console.write(show_command(options.out, finding));
   }
   console.commit();

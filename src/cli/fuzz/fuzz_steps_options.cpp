@@ -12,15 +12,16 @@ namespace {
 
 using OptionCheck = std::function<std::string(const std::string&)>;
 
-/// A number in [least, most], or with `open` in (least, most].
-OptionCheck check_range(double least, double most, bool open = false) {
+/// A number that the words describe. @param is_right  whether it is in the range
+OptionCheck check_range(const std::string& words, const std::function<bool(double)>& is_right) {
   return [=](const std::string& text) {
     const auto value = io::parse_finite_double(text);
-    if (value && (*value > least || (!open && *value == least)) && *value <= most) return std::string();
-    return text + (value ? " must be " + std::string(open ? "above " : "from ") + std::to_string(least).substr(0, 5) +
-                               " to " + std::to_string(static_cast<std::uint64_t>(most))
-                         : fault_of_number(text));
+    if (value && is_right(*value)) return std::string();
+    return text + (value ? " must be " + words : fault_of_number(text));
   };
+}
+OptionCheck check_fraction() {
+  return check_range("in [0, 1]", [](double x) { return x >= 0 && x <= 1; });
 }
 
 std::string family_lines() {
@@ -55,8 +56,10 @@ void add_fuzz_steps(CLI::App& program, Command& command) {
         return blank ? std::string("the command is empty; it must name a program") : std::string();
       });
   number("--limit", options->limit,
-         "Seconds that the program may take for a reply (default: 10); after that it counts as hanging",
-         check_range(0.001, 3600))
+         "Seconds that the program may take for a reply (default: 10); after that it counts as hanging. The first "
+         "reply of "
+         "a process may take longer: 20 seconds, and 2 when it was started again",
+         check_range("a number of seconds from 0.001 to 3600", [](double x) { return x >= 0.001 && x <= 3600; }))
       ->type_name("S");
   std::vector<CLI::Option*> of_search;
   of_search.push_back(subcommand
@@ -74,14 +77,14 @@ void add_fuzz_steps(CLI::App& program, Command& command) {
                           ->check([](const std::string& text) { return check_whole_number(text); }));
   of_search.push_back(subcommand
                           ->add_option("--cases", options->cases,
-                                       "The number of steps; without --seconds the outcome does not depend on the "
+                                       "The number of steps, in place of --seconds; the outcome does not depend on the "
                                        "number of threads")
                           ->type_name("N")
                           ->check([](const std::string& text) { return check_whole_number(text, 1); }));
   of_search.push_back(number("--seconds", options->search.seconds,
                              "The length of the search; shrinking may take as long again (default: 10, unless --cases "
                              "is given)",
-                             check_range(0, 1e9, true))
+                             check_range("a number of seconds above 0", [](double x) { return x > 0 && x <= 1e9; }))
                           ->type_name("S"));
   auto* const a_case = subcommand
                            ->add_option_function<std::string>(
@@ -109,10 +112,10 @@ void add_fuzz_steps(CLI::App& program, Command& command) {
       "--early", options->search.early_fraction,
       "The greatest part of the step between a reply's time and a later first contact (default: any, but a step of 0 "
       "with room is a stall)",
-      check_range(0, 1))
+      check_fraction())
       ->type_name("F");
   number("--late", options->search.late_fraction,
-         "The greatest part of the step by which a first contact may be told late (default: 0)", check_range(0, 1))
+         "The greatest part of the step by which a first contact may be told late (default: 0)", check_fraction())
       ->type_name("F");
   subcommand
       ->add_option(

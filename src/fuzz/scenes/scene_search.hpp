@@ -169,6 +169,7 @@ SceneOutcome<Scene> search_scenes(const SceneSort<Scene>& sort, const SceneSetti
         const SceneJudge<Scene> judge = sort.new_judge();
         for (std::uint64_t i = next++; i < outcome.findings.size(); i = next++) {
           SceneFinding<Scene>& finding = outcome.findings[i];
+          if (finding.failure.failure == FuzzFailure::hang) continue;  // each try would take its whole time
           const Key key = key_of(finding.failure);
           const auto still_fails = [&](const Scene& scene) {
             const auto failure = judge(scene);

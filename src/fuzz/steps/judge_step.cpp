@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <exception>
 #include <limits>
@@ -96,9 +97,11 @@ ExactStep exact_step(const Mesh& mesh, const StepScene& scene) {
 
 std::string at_that_time(double time) { return std::string(" at ").append(numbers::decimal_text(time)); }
 
-/// "vertex 5 and face 2 (0-1-9) at 0.25".
+/// "vertex 5 and face 2 (0-1-9) at 0.25"; "... between 0.3 and the next double".
 std::string contact_text(const Mesh& mesh, const MeshContact& contact) {
-  return mesh.describe(contact.pair) + at_that_time(contact.answer.toi);
+  const auto& [toi, toi_upper] = std::pair(contact.answer.toi, contact.answer.toi_upper);
+  if (toi == toi_upper) return mesh.describe(contact.pair) + at_that_time(toi);
+  return mesh.describe(contact.pair) + " between " + numbers::decimal_text(toi) + " and the next double";
 }
 
 bool is_fraction(double x) { return x >= 0 && x <= 1; }
@@ -120,11 +123,7 @@ class StepJudge {
 
  private:
   std::optional<SceneFailure> judge_candidates(std::vector<MeshPair> told) const {
-    for (MeshPair& pair : told) {
-      if (pair.kind == Kind::edge_edge || pair.kind == Kind::point_point) {
-        if (pair.first > pair.second) std::swap(pair.first, pair.second);
-      }
-    }
+    for (MeshPair& pair : told) pair = with_ascending(pair);
     std::sort(told.begin(), told.end());
     for (const MeshContact& one : exact_.contacts) {
       if (std::binary_search(told.begin(), told.end(), one.pair)) continue;
@@ -149,8 +148,10 @@ class StepJudge {
     }
     const double room = first == nullptr ? 1 : first->answer.toi;
     const std::string text = first == nullptr ? ", and no contact" : ", and " + contact_text(mesh_, *first);
-    if (free == 0 && room > options_.stall) return wrong(FuzzFailure::early, text + ": a stall");
-    if (options_.early_fraction && room - free > *options_.early_fraction) return wrong(FuzzFailure::early, text);
+    if (free < options_.stall * room) return wrong(FuzzFailure::early, text + ": a stall");
+    // The double before a contact is the longest step.
+    if (options_.early_fraction && room - free > *options_.early_fraction && free < std::nextafter(room, 0))
+      return wrong(FuzzFailure::early, text);
     return std::nullopt;
   }
 
@@ -178,6 +179,12 @@ class StepJudge {
 };
 
 }  // namespace
+
+MeshPair with_ascending(const MeshPair& pair) noexcept {
+  const bool of_one_sort = pair.kind == Kind::edge_edge || pair.kind == Kind::point_point;
+  if (!of_one_sort || pair.first <= pair.second) return pair;
+  return {pair.kind, pair.second, pair.first};
+}
 
 std::optional<SceneFailure> judge_step(const StepScene& scene, const StepSolver& solver,
                                        const StepFuzzOptions& options) {

@@ -11,6 +11,9 @@
 
 namespace touchstone::fuzz {
 
+/// The pair whose elements, if they are of one sort, are in ascending order.
+MeshPair with_ascending(const MeshPair& pair) noexcept;
+
 /// Asks, and compares with `solve` by Method::exact for each pair of elements by itself.
 /// @return nothing when all of it is right
 /// @throws InvalidQuery, InvalidMesh  for a scene without meaning

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "fuzz/steps/pipe_steps.hpp"
 
+#include <algorithm>
+#include <chrono>
 #include <limits>
 #include <memory>
 #include <utility>
@@ -60,7 +62,8 @@ MeshPair read_pair(const nlohmann::json& entry, const Mesh& mesh) {
   const bool has_shape =
       entry.is_array() && entry.size() == 3 && entry[0].is_string() && is_number(entry[1]) && is_number(entry[2]);
   const auto kind = has_shape ? from_name<Kind>(entry[0].get<std::string>()) : std::nullopt;
-  if (!kind) refuse("a candidate is " + io::in_quotes(entry.dump()) + "; it must be such as [\"edge-edge\", 0, 3]");
+  // A value that may be deep is not written again: that would take a call for each level.
+  if (!kind) refuse("a candidate must be such as [\"edge-edge\", 0, 3]");
   const auto first = entry[1].get<std::uint64_t>(), second = entry[2].get<std::uint64_t>();
   const std::size_t vertices = mesh.vertex_count(), edges = mesh.edges().size(), faces = mesh.faces().size();
   const std::size_t firsts = *kind == Kind::edge_edge ? edges : vertices;
@@ -83,10 +86,12 @@ class StepProcess {
       run_ = std::make_unique<PipeRun>(command_line_, limits_);
       is_new_ = true;
     }
-    const auto time = is_new_ ? limits_.start : limits_.answer;  // an interpreter takes some time to start
+    // An interpreter takes some time to start, for the first time most of all.
+    const auto restart = std::max(limits_.answer, std::chrono::milliseconds(2000));
+    const auto time = is_first_ ? limits_.start : is_new_ ? restart : limits_.answer;
     const PipeRun::Exchange exchange = run_->exchange(step_line(mesh, x0, x1), time);
     using End = PipeRun::Exchange::End;
-    is_new_ = false;
+    is_first_ = is_new_ = false;
     try {
       const std::string said = exchange.line.empty() ? "" : "; it had said " + io::in_quotes(exchange.line);
       if (exchange.end == End::died) throw NoReply(FuzzFailure::crash, run_->child().story() + said);
@@ -107,7 +112,7 @@ class StepProcess {
   std::string command_line_;
   Limits limits_;
   std::unique_ptr<PipeRun> run_;
-  bool is_new_ = true;
+  bool is_first_ = true, is_new_ = true;
 };
 
 }  // namespace
@@ -135,8 +140,8 @@ std::string step_line(const Mesh& mesh, const Positions& x0, const Positions& x1
 StepReply read_step_reply(std::string_view line, const Mesh& mesh) {
   const auto text = nlohmann::json::parse(line, nullptr, false);
   const auto right = [] {
-    return std::string(R"(; a reply is such as {"free": 0.5}, {"first_contact": null} or {"candidates": [])") +
-           R"(["edge-edge", 0, 3]]})";
+    return std::string(
+        R"(; a reply is such as {"free": 0.5}, {"first_contact": null} or {"candidates": [["edge-edge", 0, 3]]})");
   };
   if (!text.is_object() || text.empty()) refuse(io::in_quotes(std::string(line)) + " is no reply" + right());
   StepReply reply;
@@ -149,7 +154,7 @@ StepReply read_step_reply(std::string_view line, const Mesh& mesh) {
       const double number = is_null ? std::numeric_limits<double>::infinity() : value.get<double>();
       (key == "free" ? reply.free : reply.first_contact) = number;
     } else {
-      refuse(io::in_quotes(key + ": " + value.dump()) + " is no word of a reply" + right());
+      refuse(io::in_quotes(key) + " is no word of a reply, or has no such value" + right());
     }
   }
   return reply;
