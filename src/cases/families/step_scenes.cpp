@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <utility>
 
+#include "families/body_scenes.hpp"
 #include "numbers/doubles/nearest_float.hpp"
 #include "seeded/rng.hpp"
 
@@ -48,24 +49,13 @@ void add_sheet(StepScene& scene, int n, const At& at, const Way& way) {
 }
 
 void add_box(StepScene& scene, const Vec3& low, const Vec3& high, const Vec3& way) {
-  static constexpr std::array<std::array<MeshIndex, 3>, 12> kFaces = {{{0, 1, 3},
-                                                                       {0, 3, 2},
-                                                                       {4, 6, 7},
-                                                                       {4, 7, 5},
-                                                                       {0, 4, 5},
-                                                                       {0, 5, 1},
-                                                                       {2, 3, 7},
-                                                                       {2, 7, 6},
-                                                                       {0, 2, 6},
-                                                                       {0, 6, 4},
-                                                                       {1, 5, 7},
-                                                                       {1, 7, 3}}};
+  const BodyShape box = box_shape(1, 1, 1);
   const auto first = static_cast<MeshIndex>(scene.elements.vertex_count);
-  for (int i = 0; i < 8; ++i) {
-    add_vertex(scene, {(i & 4) != 0 ? high.x : low.x, (i & 2) != 0 ? high.y : low.y, (i & 1) != 0 ? high.z : low.z},
-               way);
+  for (const Vec3& corner : box.points) {
+    const Vec3 at = {corner.x > 0 ? high.x : low.x, corner.y > 0 ? high.y : low.y, corner.z > 0 ? high.z : low.z};
+    add_vertex(scene, at, way);
   }
-  for (const auto& [a, b, c] : kFaces) scene.elements.faces.push_back({first + a, first + b, first + c});
+  for (const auto& [a, b, c] : box.elements.faces) scene.elements.faces.push_back({first + a, first + b, first + c});
 }
 
 StepScene sheets(Rng& random) {
