@@ -82,10 +82,10 @@ class AnswerReader {
   CsvRecords records_;
   MissingClaim missing_;
   std::uint64_t last_row_ = 0;
-  bool has_row_ = false;  ///< whether fields() are a row that next() has not told yet
+  bool has_row_ = false;           ///< whether fields() are a row that next() has not told yet
   std::size_t unnamed_ = kAbsent;  ///< the first column without a name
   double first_index_ = 0;         ///< what it says of the first row
-  std::uint64_t rows_ = 0;  ///< that next() has told
+  std::uint64_t rows_ = 0;         ///< that next() has told
   std::size_t column_count_ = 0;
   std::array<std::size_t, kClaimColumns> index_{};  ///< position of each column that is read; kAbsent: not there
   std::vector<std::string> unread_columns_;
