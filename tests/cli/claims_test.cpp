@@ -338,9 +338,8 @@ TEST_CASE("faults of claims are named with what would be right") {
       {"none.csv", "query,answer\n0,1\n",
        ":1: no column is a 'contact' or a 'toi'; known names are file (or filename), query (or"},
       {"sorted.csv", ",hit,toi\n1,0,\n0,1,0.5\n2,1,0.25\n",
-       ":2: a column has no name, and is '1' in row 0, counted from 0: is it the number of the query? Then "
-       "name "
-       "it query; else delete it"},
+       ":3: a column has no name, and is '0' in row 1, counted from 0: is it the number of the query? Then name it "
+       "query; else delete it"},
       {"again.csv", "hit,toi,Unnamed: 0\n1,0.5,2\n0,,1\n1,0.25,0\n", ":2: a column has no name, and is '2' in row 0"},
       {"twice.csv", "hit,contact\n0,1\n", ":1: two columns are a 'contact'; --columns says which one is read"},
       {"wide.csv",
