@@ -59,10 +59,10 @@ TEST_CASE("fuzz-steps: a program's finding is written as frames that mesh reads,
   CHECK(folder.read("out/free-missed.json").starts_with("{\"vertices\":"));
 }
 
-TEST_CASE("fuzz-steps: a program that ends, hangs, or says no reply is told so") {
+TEST_CASE("fuzz-steps: a program that ends, hangs, or says no reply is told so", "[slow]") {
   const TemporaryFolder folder;
   const auto found = [&](const std::string& reply, const std::string& words, std::vector<std::string> more) {
-    more.insert(more.end(), {"--seconds", "0.3"});
+    more.insert(more.end(), {"--seconds", "2"});
     const Run run = ask(folder, reply, more);
     CAPTURE(reply, run.out, run.err);
     CHECK(run.status == 1);
