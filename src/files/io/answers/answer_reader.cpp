@@ -76,8 +76,8 @@ std::uint64_t AnswerReader::number_of(std::string_view query) const {
   return static_cast<std::uint64_t>(whole);
 }
 
-/// A column has no name, as where pandas and R write the index of a table, from 0 or from 1 on. Of rows that were sorted
-/// or left out it is not their number, and nobody knows whether it numbers the queries.
+/// A column has no name, as where pandas and R write the index of a table, from 0 or from 1 on. Of rows that were
+/// sorted or left out it is not their number, and nobody knows whether it numbers the queries.
 void AnswerReader::require_in_order(std::string_view index) {
   const std::optional<double> number = parse_exact_double(index);
   if (rows_ == 0) first_index_ = number == 1 ? 1 : 0;
