@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <filesystem>
@@ -19,6 +20,8 @@
 #include "frames/write_obj.hpp"
 #include "fuzz/steps/fuzz_steps.hpp"
 #include "fuzz/steps/pipe_steps.hpp"
+#include "io/counted.hpp"
+#include "io/fail.hpp"
 #include "io/output_file.hpp"
 #include "numbers/doubles/decimal_text.hpp"
 

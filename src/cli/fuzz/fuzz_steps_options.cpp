@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include <CLI/CLI.hpp>
+#include <algorithm>
+#include <functional>
 #include <memory>
 
 #include "cli/fuzz/fuzz_steps.hpp"
 #include "cli/shared/command_line/common_options.hpp"
+#include "cli/shared/words.hpp"
 #include "families/step_scenes.hpp"
 #include "io/times.hpp"
 
