@@ -213,14 +213,16 @@ let touching_pairs m =
   ^ if apart > 0 then Printf.sprintf ", %d of them joined by no edges" apart else ""
 (* Of groups or bodies, each vertex with its number in ascending order. @returns "0 has vertices 0 to 7 and vertex 9" *)
 let text_of_runs members named =
-  let of_number number =
-    let add runs (v, g) = match runs with
-      | _ when g <> number -> runs
-      | (first, last) :: rest when last + 1 = v -> (first, v) :: rest
-      | _ -> (v, v) :: runs in
-    match List.rev_map (fun (first, last) -> vertices first last) (List.fold_left add [] members) with
-    | [] -> Printf.sprintf "%d has no vertex" number
-    | runs -> Printf.sprintf "%d has %s" number (String.concat " and " runs) in
+  let runs = Hashtbl.create 64 in
+  let add (v, number) = Hashtbl.replace runs number (match Hashtbl.find_opt runs number with
+    | Some ((first, last) :: rest) when last + 1 = v -> (first, v) :: rest
+    | all -> (v, v) :: Option.value all ~default:[]) in
+  List.iter add members;
+  let of_number number = match Hashtbl.find_opt runs number with
+    | None -> Printf.sprintf "%d has no vertex" number
+    | Some all ->
+      Printf.sprintf "%d has %s" number
+        (String.concat " and " (List.rev_map (fun (first, last) -> vertices first last) all)) in
   String.concat ", " (List.map of_number named)
 let in_order table = List.sort compare (List.of_seq table)
 (* The pairs of groups that are ignored, and the vertices of these groups. *)
