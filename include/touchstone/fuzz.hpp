@@ -1,5 +1,6 @@
 // Touchstone: find queries, and whole steps of meshes, on which your solver is wrong. This header belongs to a second
-// library: link touchstone::fuzz. SPDX-License-Identifier: MIT
+// library: link touchstone::fuzz.
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <atomic>

@@ -1,5 +1,6 @@
 // Makes a failing scene readable: few elements, small integers. The moves that scenes of bodies and steps of a mesh
-// share. SPDX-License-Identifier: MIT
+// share.
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <algorithm>
