@@ -78,6 +78,16 @@ TEST_CASE("fuzz-steps: a program that ends, hangs, or says no reply is told so",
         "no reply within 100 ms (are replies flushed?)", {"--limit", "0.1", "--family", "steps_sheets"});
 }
 
+TEST_CASE("fuzz-steps: a program is asked once if that is wanted, and the command that repeats a finding says so") {
+  const TemporaryFolder folder;
+  const std::vector<std::string> once = {"--once", "--case", "steps_sheets 1 0"};
+  CHECK(ask(folder, R"(json.dumps({"free": 0.01 + 1e-9 * (time.time_ns() % 1000)}))", once).status == 0);
+  const Run wrong = ask(folder, R"('{"first_contact": -1}')", once);
+  CAPTURE(wrong.out, wrong.err);
+  CHECK(wrong.status == 1);
+  CHECK(occurrences(wrong.out, " --once --case 'steps_sheets 1 0'\n") == 1);
+}
+
 TEST_CASE("fuzz-steps: what cannot be asked is refused") {
   const auto refused = [](std::vector<std::string> words, const std::string& reason) {
     words.insert(words.begin(), "fuzz-steps");

@@ -92,6 +92,7 @@ std::string repeat_command(const FuzzStepsOptions& options, const StepFuzzFindin
   if (!options.search.separations) text += " --no-separation";
   if (!options.search.groups) text += " --no-groups";
   if (options.search.may_end_in_contact) text += " --may-end-in-contact";
+  if (!options.search.twice) text += " --once";
   if (options.search.early_fraction) text += fmt::format(" --early {}", *options.search.early_fraction);
   if (options.search.late_fraction > 0) text += fmt::format(" --late {}", options.search.late_fraction);
   return text + " --case " + shell_word(finding.case_name) + "\n";

@@ -60,8 +60,7 @@ void add_fuzz_steps(CLI::App& program, Command& command) {
       });
   number("--limit", options->limit,
          "Seconds that the program may take for a reply (default: 10); after that it counts as hanging. The first "
-         "reply of "
-         "a process may take longer: 20 seconds, and 2 when it was started again",
+         "reply of a process may take longer: 20 seconds, and 2 when it was started again",
          check_range("a number of seconds from 0.001 to 3600", [](double x) { return x >= 0.001 && x <= 3600; }))
       ->type_name("S");
   std::vector<CLI::Option*> of_search;
@@ -111,11 +110,12 @@ void add_fuzz_steps(CLI::App& program, Command& command) {
       "No groups of vertices that do not collide, for a program that knows none");
   subcommand->add_flag("--may-end-in-contact", options->search.may_end_in_contact,
                        "A free step may end in its first contact (default: it must end before)");
-  number(
-      "--early", options->search.early_fraction,
-      "The greatest part of the step between a reply's time and a later first contact (default: any, but a step of 0 "
-      "with room is a stall)",
-      check_fraction())
+  subcommand->add_flag_callback(
+      "--once", [options] { options->search.twice = false; }, "Do not ask twice whether the program says the same");
+  number("--early", options->search.early_fraction,
+         "The greatest part of the step between a reply's time and a later first contact (default: any, but a free "
+         "step of less than a thousandth of the way to it is a stall)",
+         check_fraction())
       ->type_name("F");
   number("--late", options->search.late_fraction,
          "The greatest part of the step by which a first contact may be told late (default: 0)", check_fraction())
