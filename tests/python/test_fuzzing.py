@@ -1,5 +1,6 @@
 """The fuzzer, for solvers that are Python functions. SPDX-License-Identifier: MIT"""
 import math
+import pickle
 
 import numpy as np
 import pytest
@@ -155,3 +156,73 @@ def test_what_is_no_exception_ends_the_run_and_reaches_the_caller(error):
     with pytest.raises(error, match="no further"):
         ts.fuzz(failing, 300)
     assert len(calls) == 400
+
+
+def exact_step(mesh, x0, x1):
+    assert x0.shape == x1.shape == (mesh.vertex_count, 3) and x0.dtype == np.float64
+    found = ts.first_contact(mesh, x0, x1)
+    return {"free": ts.free_step(mesh, x0, x1).length,
+            "first_contact": 0.0 if len(found.at_start) else found.toi if found.contact else None,
+            "candidates": ts.candidates(mesh, x0, x1)}
+
+
+def test_exact_steps_are_never_wrong():
+    report = ts.fuzz_steps(exact_step, 130)
+    assert report.steps == 130 and report.failures == 0 and report.findings == []
+    assert repr(report) == "<StepReport: 130 steps, 0 failures of 0 kinds>"
+
+
+def no_pair(mesh, x0, x1):
+    return {"candidates": []}
+
+
+def test_findings_of_steps_are_shrunk_and_true():
+    report = ts.fuzz_steps(no_pair, 130)
+    assert report.failures > 10 and {found.failure for found in report.findings} == {"missed"}
+    for found in report.findings:
+        assert found.question == "candidates" and found.count >= 1 and found.case_name
+        assert found.x0.shape == found.x1.shape == (found.mesh.vertex_count, 3) and found.mesh.vertex_count <= 8
+        contact = ts.first_contact(found.mesh, found.x0, found.x1)
+        assert not contact.free and "missed" in repr(found)
+        assert "<!doctype html>" in found.page() and "vertex" in found._repr_html_()
+    again = ts.fuzz_steps(no_pair, 130)
+    assert [repr(found) for found in again.findings] == [repr(found) for found in report.findings]
+    copied = pickle.loads(pickle.dumps(report))
+    assert [repr(found) for found in copied.findings] == [repr(found) for found in report.findings]
+    assert (copied.findings[0].x0 == report.findings[0].x0).all() and "wrong reply" in report._repr_html_()
+
+
+@pytest.mark.parametrize("reply, failure", [
+    (0.0, "early"),                               # a stall
+    (1, "missed"),
+    (0.999999, "late"),
+    (math.nan, "malformed"),
+    ({"first_contact": None}, "missed"),
+    ({"candidates": [("edge-edge", 0)]}, "crash"),
+    ({"candidates": 3}, "crash"),
+    ({"length": 1.0}, "crash"),
+    ({}, "crash"),
+    (True, "crash"),
+    ("free", "crash"),
+])
+def test_replies_about_steps(reply, failure):
+    answered = []
+
+    def solver(mesh, x0, x1):
+        answered.append(mesh)
+        # The first call is right: it does not fail as all others do.
+        return ts.free_step(mesh, x0, x1).length if len(answered) == 1 else reply
+
+    report = ts.fuzz_steps(solver, 40, twice=False, findings=3)
+    assert failure in {found.failure for found in report.findings}
+
+
+def test_step_fuzzing_says_what_is_wrong():
+    for options, part in (({"families": ["nonsense"]}, "nonsense"), ({"cases": 0}, "cases is 0"),
+                          ({"stall": 2.0}, "stall"), ({"late_fraction": -1.0}, "late")):
+        with pytest.raises(ValueError, match=part):
+            ts.fuzz_steps(no_pair, **options)
+    with pytest.raises(TypeError, match=r"a function of \(mesh, x0, x1\)"):
+        ts.fuzz_steps(3)
+    with pytest.raises(ZeroDivisionError):
+        ts.fuzz_steps(lambda mesh, x0, x1: 1 // 0, 100)

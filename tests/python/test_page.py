@@ -18,7 +18,7 @@ def test_the_programs_print_what_the_page_shows(tmp_path):
     text = PAGE.read_text()
     programs = re.findall(r"^```py ~/python/(\w+\.py)\n(.*?)^```$", text, re.M | re.S)
     runs = re.findall(r"^```sh\n((?:python3 ~/python/\w+\.py\n)+)```\n\n```text\n(.*?)^```$", text, re.M | re.S)
-    assert len(programs) == 9
+    assert len(programs) == 10
     ran = []
     for commands, shown in runs:
         printed = ""

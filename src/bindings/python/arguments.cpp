@@ -64,6 +64,26 @@ IntersectionSort intersection_sort_of(py::handle name) {
 }
 Verdict refuted_verdict_of(py::handle name) { return value_of<Verdict>(name, "one of classes", Verdict::holds); }
 
+MeshIndex number_in(const py::tuple& pair, std::size_t i) {
+  constexpr long long kMost = 4294967294;
+  int too_long = 0;
+  check_whole(pair[i], "item " + std::to_string(i) + " of the pair " + std::string(py::str(py::repr(pair))));
+  const long long value = PyLong_AsLongLongAndOverflow(pair[i].ptr(), &too_long);
+  if (PyErr_Occurred() != nullptr) throw py::error_already_set();
+  if (too_long != 0 || value < 0 || value > kMost) {
+    throw py::value_error("the pair " + std::string(py::str(py::repr(pair))) + " has an index outside [0, 2^32 - 2]");
+  }
+  return static_cast<MeshIndex>(value);
+}
+
+MeshPair pair_of(py::handle given) {
+  if (!py::isinstance<py::tuple>(given) || py::len(given) != 3) {
+    throw py::value_error("a pair is a tuple (kind, first, second), not " + std::string(py::str(py::repr(given))));
+  }
+  const auto pair = py::reinterpret_borrow<py::tuple>(given);
+  return {kind_of(pair[0]), number_in(pair, 1), number_in(pair, 2)};
+}
+
 py::dict all_names() {
   py::dict all;
   const auto add = [&all](const char* enumeration, const Names& names) {

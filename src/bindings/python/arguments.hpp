@@ -34,6 +34,12 @@ MeshElement element_of(py::handle name);
 IntersectionSort intersection_sort_of(py::handle name);
 Verdict refuted_verdict_of(py::handle name);  ///< of a wrong claim
 
+/// Item i of a tuple that names two elements: the number of one.
+MeshIndex number_in(const py::tuple& pair, std::size_t i);
+
+/// A pair as Python gives it: (kind, first, second).
+MeshPair pair_of(py::handle given);
+
 /// The names of the enumerations, by the enumeration's name: {"Kind": ("edge-edge", ...), ...}.
 py::dict all_names();
 

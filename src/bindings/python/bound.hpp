@@ -27,7 +27,7 @@ concept one_of = (std::same_as<T, Others> || ...);
 /// A class that Python has. Those of this folder name it by `using BoundToPython = void`.
 template <class T>
 concept Bound = one_of<T, Answer, Bodies, Body, ClosestApproach, Distance, ExactTime, FirstContact, FuzzFinding,
-                       FuzzReport, Mesh> || requires {
+                       FuzzReport, Mesh, StepFuzzFinding, StepFuzzReport> || requires {
   typename T::BoundToPython;
 };
 

@@ -22,6 +22,7 @@ void define_proofs(py::module_& module);
 /// `judge`.
 void define_judging(py::module_& module);
 void define_fuzzing(py::module_& module);
+void define_step_fuzzing(py::module_& module);
 /// `page`, which is None in a build without the view layer.
 void define_pages(py::module_& module);
 /// `mesh_page`, which is None there, too.

@@ -18,30 +18,6 @@
 namespace touchstone::python {
 namespace {
 
-/// Item i of a tuple that names two elements: the number of one.
-MeshIndex number_in(const py::tuple& pair, std::size_t i) {
-  constexpr long long kMost = 4294967294;
-  int too_long = 0;
-  check_whole(pair[i], "item " + std::to_string(i) + " of the pair " + std::string(py::str(py::repr(pair))));
-  const long long value = PyLong_AsLongLongAndOverflow(pair[i].ptr(), &too_long);
-  if (PyErr_Occurred() != nullptr) throw py::error_already_set();
-  if (too_long != 0 || value < 0 || value > kMost) {
-    throw py::value_error("the pair " + std::string(py::str(py::repr(pair))) + " has an index outside [0, 2^32 - 2]");
-  }
-  return static_cast<MeshIndex>(value);
-}
-
-bool is_tuple(py::handle given, std::size_t size) { return py::isinstance<py::tuple>(given) && py::len(given) == size; }
-
-/// A pair as Python gives it: (kind, first, second).
-MeshPair pair_of(py::handle given) {
-  if (!is_tuple(given, 3)) {
-    throw py::value_error("a pair is a tuple (kind, first, second), not " + std::string(py::str(py::repr(given))));
-  }
-  const auto pair = py::reinterpret_borrow<py::tuple>(given);
-  return {kind_of(pair[0]), number_in(pair, 1), number_in(pair, 2)};
-}
-
 /// An element for a person, as Mesh::describe has it.
 std::string text_of(const Mesh& mesh, MeshElement element, MeshIndex number) {
   const std::size_t count = element == MeshElement::vertex ? mesh.vertex_count()
@@ -60,7 +36,7 @@ std::string text_of(const Mesh& mesh, MeshElement element, MeshIndex number) {
 
 /// A pair, or an intersection (first_element, first, second_element, second, sort), for a person.
 std::string description(const Mesh& mesh, py::handle given) {
-  if (!is_tuple(given, 5)) return mesh.describe(pair_of(given));
+  if (!py::isinstance<py::tuple>(given) || py::len(given) != 5) return mesh.describe(pair_of(given));
   const auto found = py::reinterpret_borrow<py::tuple>(given);
   const auto element = [&](std::size_t i) { return text_of(mesh, element_of(found[i]), number_in(found, i + 1)); };
   const std::string first = element(0), second = element(2);

@@ -35,6 +35,7 @@ PYBIND11_MODULE(_core, module) {
   python::define_proofs(module);
   python::define_judging(module);
   python::define_fuzzing(module);
+  python::define_step_fuzzing(module);
 #ifdef TOUCHSTONE_PYTHON_WITH_PAGES
   python::define_pages(module);
   python::define_mesh_pages(module);

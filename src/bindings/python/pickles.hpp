@@ -194,6 +194,20 @@ template <class Archive>
 void members(Archive& archive, FuzzReport& x) {
   archive(x.queries, x.failures, x.allowed, x.kinds_of_failure, x.findings, x.stopped);
 }
+template <class Archive>
+void members(Archive& archive, Mesh& x) {
+  MeshElements elements = x.elements();
+  archive(elements);
+  x = Mesh(std::move(elements));
+}
+template <class Archive>
+void members(Archive& archive, StepFuzzFinding& x) {
+  archive(x.failure, x.question, x.detail, x.count, x.mesh, x.x0, x.x1, x.case_name);
+}
+template <class Archive>
+void members(Archive& archive, StepFuzzReport& x) {
+  archive(x.steps, x.failures, x.kinds_of_failure, x.findings, x.stopped);
+}
 
 template <class Value>
 void Packer::pack(Value& value) {

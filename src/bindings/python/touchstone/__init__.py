@@ -32,11 +32,11 @@ call reads it.
 """
 from ._core import (Answer, Answers, Bodies, Body, BodyDistance, BodyIntersections, BodyPairs, ClosestApproach,
                     Distance, Distances, ExactTime, Finding, FirstBodyContact, FirstContact, FreeBodyStep, FreeStep,
-                    FuzzReport, Intersections, Mesh, MeshSteps, Pairs, __version__)
+                    FuzzReport, Intersections, Mesh, MeshSteps, Pairs, StepFinding, StepReport, __version__)
 from ._names import Feature, Level, Nature, Trend
 from ._queries import contact_normal, contact_times, distance, solve, toi_gradient
 from ._curved import CurvedQueries, OnBody, OnCurves
-from ._fuzzing import fuzz
+from ._fuzzing import fuzz, fuzz_steps
 from ._judging import Certificate, Verdict, certify
 from ._mesh_files import Frames, MeshFile, as_mesh, read_frames, read_mesh
 from ._meshes import (all_contacts, candidates, closest_approach, first_contact, free_step, intersections,
@@ -50,8 +50,9 @@ __all__ = [
     "Answer", "Answers", "Bodies", "Body", "BodyDistance", "BodyIntersections", "BodyPairs", "Certificate", "Checked",
     "ClosestApproach", "CurvedQueries", "Distance", "Distances", "ExactTime", "Feature", "Finding", "FirstBodyContact",
     "FirstContact", "Frames", "FreeBodyStep", "FreeStep", "FuzzReport", "Intersections", "Level", "Mesh",
-    "MeshFile", "MeshSteps", "Nature", "OnBody", "OnCurves", "Pairs", "Proofs", "Shown", "ShownMesh", "Trend", "Verdict",
+    "MeshFile", "MeshSteps", "Nature", "OnBody", "OnCurves", "Pairs", "Proofs", "Shown", "ShownMesh",
+    "StepFinding", "StepReport", "Trend", "Verdict",
     "all_contacts", "as_mesh", "candidates", "certify", "check", "closest_approach", "contact_normal",
-    "contact_times", "distance", "first_contact", "free_step", "fuzz", "intersections", "intersects", "prove",
-    "read_frames", "read_mesh", "save_page", "show", "show_mesh", "solve", "toi_gradient"
+    "contact_times", "distance", "first_contact", "free_step", "fuzz", "fuzz_steps", "intersections", "intersects",
+    "prove", "read_frames", "read_mesh", "save_page", "show", "show_mesh", "solve", "toi_gradient"
 ]

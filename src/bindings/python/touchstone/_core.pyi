@@ -312,6 +312,23 @@ class FuzzReport:
     def page(self) -> str: ...
     def to_pandas(self) -> Any: ...
 
+class StepFinding:
+    failure: str
+    question: str
+    detail: str
+    count: int
+    mesh: Mesh
+    x0: _Doubles
+    x1: _Doubles
+    case_name: str
+    def page(self) -> str: ...
+
+class StepReport:
+    steps: int
+    failures: int
+    kinds_of_failure: int
+    findings: List[StepFinding]
+
 def judge(truth: Answers, contact: _Bools, toi: _Doubles, late_ulps: Optional[int], late_fraction: Optional[float],
           classes: Optional[List[str]]) -> Tuple[_Codes, _Bools]: ...
 def kind_name(kind: str) -> str: ...
@@ -323,6 +340,9 @@ def fuzz(solver: Any, kinds: Optional[List[str]], families: Optional[List[str]],
          separation: float, metric: str, early_ulps: Optional[int], early_fraction: Optional[float],
          late_ulps: Optional[int], late_fraction: Optional[float], near: float, failures: Optional[List[str]],
          findings: int) -> FuzzReport: ...
+def fuzz_steps(solver: Any, cases: int, seconds: Optional[float], families: Optional[List[str]], seed: int,
+               separations: bool, groups: bool, may_end_in_contact: bool, stall: float,
+               early_fraction: Optional[float], late_fraction: float, twice: bool, findings: int) -> StepReport: ...
 # None in a build without pages, and so are claims_page and mesh_page
 def page(kind: str, start: ArrayLike, end: ArrayLike, t_max: float, separation: float, metric: str, title: str,
          about: str) -> str: ...

@@ -9,7 +9,8 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _core, _meshes, _queries
-from ._core import Answer, Answers, Finding, FirstContact, FreeStep, FuzzReport, Intersections, Mesh, Pairs
+from ._core import (Answer, Answers, Finding, FirstContact, FreeStep, FuzzReport, Intersections, Mesh, Pairs,
+                    StepFinding, StepReport)
 from ._judging import Certificate, Verdict
 from ._mesh_files import AnyMesh, as_argument
 from ._names import Feature, Level, Nature
@@ -239,10 +240,30 @@ def _show_report(report):
                   ("failure", "kind", "degeneracy", "times"), rows, report.kinds_of_failure - len(rows))
 
 
+def _step_finding_page(found):
+    """The shrunk step as an animation, with its exact first contact."""
+    return there(_core.mesh_page)(found.mesh, found.x0, found.x1, 1.0, 0)
+
+
+def _show_step_finding(found):
+    rows = [(v, *map(str, ends)) for v, ends in enumerate(zip(found.x0.tolist(), found.x1.tolist()))]
+    return (_table(f"{found.failure}, {found.question}", ("vertex", "at t = 0", "at t = 1"), rows[:_MOST_ROWS],
+                   len(rows) - len(rows[:_MOST_ROWS])) +
+            _facts("step", [("in all", found.count), ("more", found.detail), ("mesh", repr(found.mesh))]))
+
+
+def _show_step_report(report):
+    rows = [(f.failure, f.question, f.detail, f.count) for f in report.findings[:_MOST_ROWS]]
+    return _table(f"{report.failures} of {report.steps} steps have a wrong reply",
+                  ("failure", "question", "more", "times"), rows, report.kinds_of_failure - len(rows))
+
+
 for _class, _shown in ((Answer, lambda answer: _facts("answer", _answer_facts(answer))), (Answers, _show_answers),
                        (Pairs, _show_pairs),
                        (FirstContact, _show_contact), (FreeStep, _show_step), (Intersections, _show_intersections),
-                       (Certificate, _show_certificate), (Finding, _show_finding), (FuzzReport, _show_report)):
+                       (Certificate, _show_certificate), (Finding, _show_finding), (FuzzReport, _show_report),
+                       (StepFinding, _show_step_finding), (StepReport, _show_step_report)):
     setattr(_class, "_repr_html_", _shown)
 setattr(Finding, "page", _finding_page)
 setattr(FuzzReport, "page", _report_page)
+setattr(StepFinding, "page", _step_finding_page)

@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from . import _core
-from ._core import FuzzReport
+from ._core import FuzzReport, Mesh, StepReport
 from ._hints import hinting
 from ._names import _Named
 from ._queries import Kind, Metric
@@ -95,3 +95,46 @@ def fuzz(solver: Callable[[str, NDArray[np.float64], NDArray[np.float64]], Any],
                       _whole(seed, "seed"), _whole(climb, "climb"), separation, metric,
                       ulps(early_ulps, "early_ulps"), early_fraction, ulps(late_ulps, "late_ulps"), late_fraction,
                       near, _words(failures, "failures"), _whole(findings, "findings"))
+
+
+@hinting
+def fuzz_steps(solver: Callable[[Mesh, NDArray[np.float64], NDArray[np.float64]], Any], cases: int = 10_000, *,
+               seconds: Optional[float] = None, families: Optional[Iterable[str]] = None, seed: int = 1,
+               separations: bool = True, groups: bool = True, may_end_in_contact: bool = False, stall: float = 1e-3,
+               early_fraction: Optional[float] = None, late_fraction: float = 0.0, twice: bool = True,
+               findings: int = 32) -> StepReport:
+    """Asks a simulator's collision detection about whole steps of small meshes that are hard, judges its replies by
+    the exact answers to all pairs of elements, and shrinks the steps that it fails.
+
+    solver       a function of (mesh, x0, x1): a Mesh with all of its edges, and the positions of its vertices at both
+                 ends of the step, float64 arrays of shape (vertices, 3). It returns the part of the step, in [0, 1],
+                 that is free of contact; or a dict with one or more of 'free', that number; 'first_contact', the time
+                 of the first contact, or None for no contact; and 'candidates', the pairs of its broad phase as tuples
+                 (kind, first, second). Exceptions are as for `fuzz`
+    cases        how many steps to make, from all families in turn
+    seconds      when it is given, the search ends after this time
+    families     the families of steps, as `touchstone fuzz-steps --help` lists them; all by default
+    seed         the steps are the same for the same seed
+    separations  whether meshes may have a separation
+    groups       whether meshes may have groups of vertices that do not collide
+    may_end_in_contact  whether a free step may end in its first contact
+    stall        a free step shorter than this part of the way to the first contact is a failure
+    early_fraction  the greatest part of the step between a reply's time and a later first contact; by default any
+    late_fraction   the greatest part of the step by which 'first_contact' may lie after the exact time
+    twice        whether the function is asked twice, and must say the same
+    findings     how many findings to shrink and return
+
+    Returns a StepReport with the attributes steps, failures, kinds_of_failure and findings. A StepFinding has failure,
+    question, detail, count, mesh, x0, x1 and case_name; it prints itself, and its `page()` shows the step. The function
+    runs on another thread than the caller's. Raises what `fuzz` raises.
+
+    >>> import touchstone
+    >>> def stale(mesh, x0, x1):                         # a tree that is not refitted: its pairs are those of the start
+    ...     return {'candidates': touchstone.candidates(mesh, x0, x0)}
+    >>> report = touchstone.fuzz_steps(stale, 60)
+    >>> report.findings[0].failure, report.findings[0].question
+    ('missed', 'candidates')
+    """
+    return _core.fuzz_steps(solver, _whole(cases, "cases", 1), seconds, _words(families, "families"),
+                            _whole(seed, "seed"), bool(separations), bool(groups), bool(may_end_in_contact), stall,
+                            early_fraction, late_fraction, bool(twice), _whole(findings, "findings"))

@@ -26,7 +26,7 @@ def there(page: Any) -> Any:
 def save_page(thing: HasPage, file: Union[str, "os.PathLike[str]"]) -> Path:
     """Writes the page of something into an HTML file, which a browser opens from disk and which needs nothing else.
 
-    thing  what `show`, `show_mesh`, `certify` or `fuzz` returned, or a Finding: anything that has a method `page`
+    thing  what `show`, `show_mesh`, `certify` or `fuzz` returned, or a Finding or StepFinding: anything that has a method `page`
     file   the name of the file, such as refuted.html; one that is there is replaced
 
     Returns the file's Path. The file appears whole or not at all. Raises TypeError for a thing without a page,

@@ -6,17 +6,15 @@
 
 #include <atomic>
 #include <cstdint>
-#include <exception>
 #include <limits>
-#include <memory>
 #include <optional>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "python/arguments.hpp"
 #include "python/background.hpp"
 #include "python/define.hpp"
+#include "python/fuzzing/asked_function.hpp"
 #include "python/pickles.hpp"
 
 namespace touchstone::python {
@@ -52,14 +50,8 @@ bool is_bool(const py::object& value) {
 
 /// @param reply  what has the time
 double time_of(const py::object& value, const py::object& reply) {
-  if (is_bool(value) || py::isinstance<py::array>(value)) refuse(reply);
-  const double time = PyFloat_AsDouble(value.ptr());
-  if (time == -1 && PyErr_Occurred() != nullptr) {
-    if (PyErr_ExceptionMatches(PyExc_TypeError) == 0) throw py::error_already_set();
-    PyErr_Clear();
-    refuse(reply);
-  }
-  return time;
+  if (is_bool(value)) refuse(reply);
+  return reply_number(value, [&reply] { refuse(reply); });
 }
 
 /// What the function returned: a bool, None for no contact, a time, or a pair of a bool and a time or None.
@@ -76,57 +68,6 @@ Claim claim_of(const py::object& reply) {
   return {true, time_of(reply, reply)};
 }
 
-/// The function under test.
-class AskedFunction {
- public:
-  /// @param stop  becomes true when the function ends the run
-  AskedFunction(const py::object& solver, std::atomic<bool>& stop) : solver_(solver), stop_(stop) {}
-
-  /// What the function throws becomes an exception that holds nothing of Python. Of a finding it is the text. What is
-  /// no `Exception`, such as KeyboardInterrupt, ends the run, and so does one that all of the first calls end with.
-  Claim operator()(const Query& query) {
-    if (ending_) throw std::runtime_error("the run has ended");
-    const py::gil_scoped_acquire locked;
-    try {
-      const Claim claim = claim_of(solver_(std::string(name_of(query.kind)), corners_array(query.kind, query.start),
-                                           corners_array(query.kind, query.end)));
-      answered_ = true;
-      return claim;
-    } catch (py::error_already_set& error) {
-      if (!error.matches(PyExc_Exception) || fails_from_the_start(error.what())) {
-        ending_ = std::current_exception();
-        stop_ = true;
-      }
-      throw std::runtime_error(error.what());
-    }
-  }
-
-  /// Whether there was no answer yet, and as many calls failed with one text that the function cannot be meant so: one
-  /// with other arguments, say.
-  bool fails_from_the_start(const std::string& text) {
-    constexpr int kAlike = 20;
-    if (answered_ || (failures_ > 0 && text != first_text_)) {
-      answered_ = true;
-      return false;
-    }
-    first_text_ = text;
-    return ++failures_ == kAlike;
-  }
-
-  /// Throws what ended the run, if something did.
-  void rethrow() const {
-    if (ending_) std::rethrow_exception(ending_);
-  }
-
- private:
-  const py::object& solver_;
-  std::atomic<bool>& stop_;
-  std::exception_ptr ending_;
-  bool answered_ = false;  ///< or failed in several ways
-  int failures_ = 0;
-  std::string first_text_;
-};
-
 std::optional<std::uint64_t> ulps_or_none(py::handle value) {
   return value.is_none() ? std::nullopt : std::optional(value.cast<std::uint64_t>());
 }
@@ -139,10 +80,7 @@ FuzzReport fuzz(const py::object& solver, py::handle kinds, py::handle families,
                 py::handle climb, py::handle distance, py::handle metric, py::handle early_ulps,
                 py::handle early_fraction, py::handle late_ulps, py::handle late_fraction, py::handle near,
                 py::handle failures, py::handle findings) {
-  if (PyCallable_Check(solver.ptr()) == 0) {
-    throw py::type_error(std::string("solver is of type ") + Py_TYPE(solver.ptr())->tp_name +
-                         "; it must be a function of (kind, start, end)");
-  }
+  check_callable(solver, "kind, start, end");
   FuzzOptions options;
   options.cases = cases.cast<std::uint64_t>();
   options.seed = seed.cast<std::uint64_t>();
@@ -174,7 +112,13 @@ FuzzReport fuzz(const py::object& solver, py::handle kinds, py::handle families,
   FuzzReport report = in_background(std::numeric_limits<std::size_t>::max(), [&](std::atomic<bool>& stop) {
     options.stop = &stop;
     asked.emplace(solver, stop);
-    return fuzz_solver([&asked](const Query& query) { return (*asked)(query); }, options);
+    const auto ask = [&asked](const Query& query) {
+      return asked->ask([&query](const py::object& function) {
+        return claim_of(function(std::string(name_of(query.kind)), corners_array(query.kind, query.start),
+                                 corners_array(query.kind, query.end)));
+      });
+    };
+    return fuzz_solver(ask, options);
   });
   asked->rethrow();
   return report;
