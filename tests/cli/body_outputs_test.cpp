@@ -1,8 +1,10 @@
 // touchstone bodies: proofs, pages and distances.
 // SPDX-License-Identifier: MIT
+#include <array>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <vector>
 
 #include "cli/body_runs.hpp"
 #include "cli/run_checker.hpp"
@@ -79,14 +81,43 @@ TEST_CASE("bodies --prove: separations; what has no proof is refused, and nothin
     check_refused(scene.run(poses, with({"--prove", folder}, more)), reason);
     CHECK_FALSE(std::filesystem::exists(folder));
   };
-  refused({"--ignore", "bar,wall"}, "--ignore excludes --prove");
-  refused({"--only-between", "bar,wall"}, "--only-between excludes --prove");
+  refused({"--ignore", "bar,wall"}, "--ignore and --only-between leave no pair");
   refused({"--free-step", folder + "/motion.txt"}, "another option names too");
   refused({"--as-given"},
           "poses.csv: 0 -> 1: by the signs of its quaternions body 'bar' turns by more than 180 degrees",
           std::string(kHeader) + "0,bar,0,0,0,1,0,0,0\n1,bar,0,0,0,-0.1,0,0,0.9949874371066200\n");
   refused({}, "poses.csv:2: x is 'a'", std::string(kHeader) + "0,bar,a,0,0,1,0,0,0\n");
   check_refused(scene.run(BarAndWall::quarter_turn("1.625"), {"--prove", scene.folder.path("max")}), "max: holds ");
+}
+
+TEST_CASE("bodies --prove: the checker names bodies that are not asked about, and asks about all others") {
+  const BarAndWall scene;
+  const std::string block = scene.folder.write("block.obj", box_obj(0.25, 0.25, 0.25));
+  for (const auto& [option, value, groups] :
+       {std::array<std::string, 3>{"--ignore", "bar,wall",
+                                   "2 groups of vertices, 1 pair of groups not asked about: 0-1"},
+        {"--only-between", "block,*", "groups not asked about: "}}) {
+    const std::string folder = scene.folder.path(option.substr(2));
+    const std::vector<std::string> more = {block, option, value, "--prove", folder};
+    const Run made = scene.run(
+        BarAndWall::quarter_turn("1.625") + "0,block,-1.3,-1.3,0,1,0,0,0\n2,block,-1.3,-1.3,0,1,0,0,0\n", more);
+    CAPTURE(option, made.out, made.err);
+    CHECK(made.status == 0);  // the bar meets the wall, which is not asked about
+    const std::string proofs = scene.folder.read(option.substr(2) + "/proofs.txt");
+    const Run checked = run_checker(folder + "/proofs.txt", {folder + "/motion.txt"});
+    CAPTURE(checked.out, checked.err);
+    CHECK(checked.status == 0);
+    CHECK(occurrences(checked.out, groups) == 1);
+    // Without the lines the bar and the wall are asked about.
+    std::string motion;
+    for (const std::string& line : lines_of(scene.folder.read(option.substr(2) + "/motion.txt"))) {
+      if (line.rfind("ignore ", 0) != 0) motion += line + "\n";
+    }
+    std::string of_any = proofs;
+    of_any.replace(of_any.find("file mesh ") + 10, 64, "-");
+    CHECK(run_checker(scene.folder.write("proofs.txt", of_any), {scene.folder.write("motion.txt", motion)}).status ==
+          1);
+  }
 }
 
 TEST_CASE("bodies --html: the page has the bodies, and what was found") {

@@ -60,6 +60,15 @@ proofs::MotionElements motion_elements(const Bodies& bodies) {
     proofs::add_body(elements, body, bodies.bodies[body].points(),
                      proofs::colliding_vertices(mesh.edges(), mesh.points()), mesh.edges(), mesh.faces());
   }
+  const BodyRules& rules = bodies.rules;  // of names: they have groups alone
+  if (rules.groups.empty()) return elements;
+  CollisionRules of_vertices;
+  of_vertices.group_rule = rules.group_rule;
+  of_vertices.group_pairs = rules.group_pairs;
+  for (const proofs::BodyVertex& vertex : elements.on_bodies) {
+    of_vertices.groups.push_back(rules.groups[vertex.body]);
+  }
+  elements.groups = proofs::motion_groups(of_vertices);
   return elements;
 }
 

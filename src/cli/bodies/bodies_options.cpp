@@ -73,8 +73,6 @@ void add_bodies(CLI::App& program, Command& command) {
                    "Write the bodies and their poses as FOLDER/motion.txt and a proof for each pair of each step as "
                    "FOLDER/proofs.txt, for touchstone-check. The folder must be new or empty")
       ->type_name("FOLDER")
-      ->excludes("--only-between")
-      ->excludes("--ignore")
       ->check(not_empty);
   subcommand->footer(
       "Between two poses a quaternion is (1 - t) q0 + t q1 and a position (1 - t) p0 + t p1, t in [0, 1]: the body "
