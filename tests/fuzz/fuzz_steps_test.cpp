@@ -249,6 +249,7 @@ TEST_CASE("fuzzed steps: each sort of wrong reply is found") {
     CHECK(std::any_of(report.findings.begin(), report.findings.end(), [&](const StepFuzzFinding& finding) {
       return finding.failure == planted.failure && finding.question == planted.question;
     }));
+    for (const StepFuzzFinding& finding : report.findings) CHECK(finding.mesh.has_pairs());
     CHECK(report.steps == options.cases);
     CHECK(report.failures > 0);
   }

@@ -6,6 +6,7 @@
 #include "cli/run_program.hpp"
 #include "io/temporary_folder.hpp"
 #include "support/catch.hpp"
+#include "support/skip.hpp"
 
 using namespace touchstone::tests;
 
@@ -33,6 +34,15 @@ TEST_CASE("fuzz-steps: the library itself is right, and the verdict says what wa
   CHECK(run.out ==
         "touchstone: 65 steps asked, 0 with a wrong reply; separations were left out; groups were left out\n"
         "nothing found\n");
+}
+
+TEST_CASE_WITH("python3", "fuzz-steps: touchstone mesh is right about steps that it reads from files") {
+  const std::string program =
+      std::string("python3 ") + TOUCHSTONE_SOURCE_DIR "/tests/fuzz/mesh_program.py " + TOUCHSTONE_PROGRAM;
+  const Run run = run_program({"fuzz-steps", "--solver-command", program, "--cases", "130", "--no-groups", "--once"});
+  CAPTURE(run.out, run.err);
+  CHECK(run.status == 0);
+  CHECK(occurrences(run.out, ": 130 steps asked, 0 with a wrong reply; groups were left out\nnothing found\n") == 1);
 }
 
 TEST_CASE("fuzz-steps: a program's finding is written as frames that mesh reads, and asked again by its name") {

@@ -3,12 +3,14 @@
 // SPDX-License-Identifier: MIT
 #include <Eigen/Core>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
 #include <thread>
 #include <vector>
 
+#include <touchstone/fuzz.hpp>
 #include <touchstone/ipc_toolkit.hpp>
 #include <touchstone/touchstone.hpp>
 
@@ -378,4 +380,29 @@ TEST_CASE("many threads get the answers that one gets") {
   }
   for (std::thread& thread : threads) thread.join();
   for (const int count : differences) CHECK(count == 0);
+}
+
+TEST_CASE("a line search over whole meshes ends before the first contact, and does not stall") {
+  touchstone::StepFuzzOptions options;
+  options.cases = touchstone::tests::effort(650);
+  const auto line_search = [](double rescaling) {
+    return [ccd = ExactNarrowPhaseCCD(rescaling)](const touchstone::Mesh& mesh, const touchstone::Positions& x0,
+                                                  const touchstone::Positions& x1) {
+      touchstone::StepReply reply;
+      if (mesh.metric() != touchstone::Metric::euclidean) return reply;  // ipc-toolkit has no other
+      reply.free = 1;
+      for (const touchstone::MeshPair& pair : touchstone::candidates(mesh, x0, x1)) {
+        const Query query = touchstone::query_of(mesh, pair, x0, x1);
+        const Result result = ask(ccd, query, mesh.separation(pair).distance, *reply.free);
+        if (result.hit) reply.free = std::min(*reply.free, result.toi);
+      }
+      return reply;
+    };
+  };
+  for (const double rescaling : {1.0, 0.9}) {
+    const touchstone::StepFuzzReport report = touchstone::fuzz_steps(line_search(rescaling), options);
+    CAPTURE(rescaling);
+    for (const auto& finding : report.findings) UNSCOPED_INFO(touchstone::to_string(finding));
+    CHECK(report.failures == 0);
+  }
 }

@@ -54,7 +54,11 @@ std::int64_t difficulty(const StepScene& scene) {
 
 StepScene shrink_steps(const StepScene& scene, const std::function<bool(const StepScene&)>& still_fails,
                        const std::function<bool()>& stop) {
-  SceneShrinking<StepScene> shrinking(scene, difficulty, still_fails, stop);
+  // A function that fails always would end with a mesh of nothing.
+  const std::function<bool(const StepScene&)> fails_with_a_pair = [&](const StepScene& candidate) {
+    return Mesh(candidate.elements).has_pairs() && still_fails(candidate);
+  };
+  SceneShrinking<StepScene> shrinking(scene, difficulty, fails_with_a_pair, stop);
   std::int64_t before = 0;
   do {
     before = shrinking.difficulty();
