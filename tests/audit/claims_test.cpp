@@ -152,9 +152,9 @@ TEST_CASE("a description that says something wrong is refused, and the line is n
   CHECK(fault(good) == "none");
   CHECK(fault("") == "it describes no question");
   for (const char* const line :
-       {"speed fast", "motion sideways", "kinds edge-edge face-face", "kinds ", "space 4", "numbers half", "sizes 1",
-        "sizes 1 1.5", "sizes 0 0", "sizes 1 inf", "tolerance-length -1", "tolerance-relative nan", "separation 1e999",
-        "question ../up", "question a", "question Big"}) {
+       {"speed fast", "motion sideways", "kinds edge-edge face-face", "kinds edge-edge edge-edge", "kinds ", "space 4",
+        "numbers half", "sizes 1", "sizes 1 1.5", "sizes 0 0", "sizes 1 inf", "tolerance-length -1",
+        "tolerance-relative nan", "separation 1e999", "question ../up", "question a", "question Big"}) {
     INFO(line);
     CHECK(fault(good + line + "\n").find("its line '" + std::string(line)) == 0);
   }

@@ -91,7 +91,13 @@ void keep_named(AuditedEngine& engine, const std::vector<std::string>& names) {
 std::vector<AuditedEngine> audited_engines(const std::vector<std::string>& names,
                                            const std::vector<std::string>& commands) {
   std::vector<AuditedEngine> all = names.empty() && !commands.empty() ? std::vector<AuditedEngine>() : listed_engines();
-  for (const std::string& command : commands) all.push_back(given_engine(command));
+  for (const std::string& command : commands) {
+    AuditedEngine engine = given_engine(command);
+    if (std::any_of(all.begin(), all.end(), [&](const auto& other) { return other.name == engine.name; })) {
+      throw Error("--engine " + io::in_quotes(command) + ": there is an engine " + engine.name + "; name it otherwise");
+    }
+    all.push_back(std::move(engine));
+  }
   std::string known;
   for (const AuditedEngine& engine : all) known.append(known.empty() ? "" : ", ").append(engine.name);
   for (const std::string& name : names) {

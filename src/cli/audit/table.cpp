@@ -4,8 +4,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
+#include <tuple>
 
 #include "cli/shared/words.hpp"
 #include "io/fail.hpp"
@@ -22,12 +24,34 @@ std::uint64_t count_of(const FailureTable::Row& total, std::initializer_list<Fai
   return count;
 }
 
+/// "1.5", "2.5e+06"
+std::string microseconds(double time) { return time < 1e6 ? fmt::format("{:.1f}", time) : fmt::format("{:.1e}", time); }
+
 /// How early: the end of the median's bucket, and the greatest.
-std::string early_text(const certify::TimeErrors& early) {
-  if (early.claims() == 0) return fmt::format("{:>9}{:>9}", "-", "-");
+std::array<std::string, 2> early_texts(const certify::TimeErrors& early) {
+  if (early.claims() == 0) return {"-", "-"};
   const auto below = early.median_time().below;
-  return fmt::format("{:>9}{:>9}", early.median_time().from == 0 ? "0" : fmt::format("{:.1e}", below.value_or(1)),
-                     early.most_time() == 0 ? "0" : fmt::format("{:.1e}", early.most_time()));
+  return {early.median_time().from == 0 ? "0" : fmt::format("{:.1e}", below.value_or(1)),
+          early.most_time() == 0 ? "0" : fmt::format("{:.1e}", early.most_time())};
+}
+
+using AuditLine = std::array<std::string, 12>;
+
+/// Lines whose columns are as wide as their longest cells; the first two start at the left.
+std::string lined_up(const std::vector<AuditLine>& lines) {
+  std::array<std::size_t, std::tuple_size_v<AuditLine>> widths{};
+  for (const AuditLine& line : lines) {
+    for (std::size_t c = 0; c < line.size(); ++c) widths[c] = std::max(widths[c], line[c].size());
+  }
+  std::string text;
+  for (const AuditLine& line : lines) {
+    for (std::size_t c = 0; c < line.size(); ++c) {
+      text += c < 2 ? fmt::format("{:<{}}  ", line[c], widths[c]) : fmt::format("{:>{}}  ", line[c], widths[c]);
+    }
+    text.erase(text.find_last_not_of(' ') + 1);
+    text += "\n";
+  }
+  return text;
 }
 
 std::string motion_text(const fuzz::Claims& claims) {
@@ -64,22 +88,20 @@ std::string claims_text(const fuzz::EngineQuestion& q) {
 bool failed(const AuditRow& row) { return row.outcome.table.total().failed() > 0; }
 
 std::string audit_table(const std::vector<AuditRow>& rows) {
-  std::string text =
-      fmt::format("{:<22}{:<12}{:>9}{:>9}{:>9}{:>9}{:>10}{:>9}{:>9}{:>8}{:>9}{:>8}\n", "engine/question", "kind",
-                  "queries", "missed", "phantom", "late", "tolerated", "early", "at most", "crashes", "unknown", "us");
+  std::vector<AuditLine> lines = {{"engine/question", "kind", "queries", "missed", "phantom", "late", "tolerated",
+                                   "early", "at most", "crashes", "unknown", "us"}};
   for (const AuditRow& row : rows) {
     const FailureTable::Row total = row.outcome.table.total();
+    const auto count = [&](std::initializer_list<FailureClass> classes) { return grouped(count_of(total, classes)); };
+    const auto [median, most] = early_texts(row.outcome.early);
     const double queries = static_cast<double>(std::max<std::uint64_t>(row.outcome.queries, 1));
-    text +=
-        fmt::format("{:<22}{:<12}{:>9}{:>9}{:>9}{:>9}{:>10}{}{:>8}{:>9}{:>8.1f}\n", row.name, name_of(row.kind),
-                    grouped(total.cases), grouped(count_of(total, {FailureClass::missed})),
-                    grouped(count_of(total, {FailureClass::phantom})), grouped(count_of(total, {FailureClass::late})),
-                    grouped(row.outcome.allowed), early_text(row.outcome.early),
-                    grouped(count_of(total, {FailureClass::crash, FailureClass::hang})),
-                    grouped(count_of(total, {FailureClass::malformed, FailureClass::nan})),
-                    1e6 * row.outcome.solver_seconds / queries);
+    lines.push_back({row.name, std::string(name_of(row.kind)), grouped(total.cases), count({FailureClass::missed}),
+                     count({FailureClass::phantom}), count({FailureClass::late}), grouped(row.outcome.allowed), median,
+                     most, count({FailureClass::crash, FailureClass::hang}),
+                     count({FailureClass::malformed, FailureClass::nan}),
+                     microseconds(1e6 * row.outcome.solver_seconds / queries)});
   }
-  return text;
+  return lined_up(lines);
 }
 
 std::string engines_text(const std::vector<AuditedEngine>& engines) {

@@ -53,7 +53,7 @@ bool set_kinds(std::vector<Kind>& kinds, std::string_view text) {
   kinds.clear();
   while (!text.empty()) {
     const auto kind = from_name<Kind>(take_word(text));
-    if (!kind) return false;
+    if (!kind || std::find(kinds.begin(), kinds.end(), *kind) != kinds.end()) return false;
     kinds.push_back(*kind);
   }
   return !kinds.empty();
