@@ -29,9 +29,8 @@ readonly -a touchstone_needs=(
 )
 
 # Optional libraries and tools: the set-up installs them where it can, and goes on where it cannot. Without them the
-# program draws no plots and reads no HDF5 files and no XML files of VTK, and there is no Python module.
+# program reads no HDF5 files and no XML files of VTK, and there is no Python module.
 readonly -a touchstone_tools=(
-  'gnuplot|gnuplot|gnuplot-nox|gnuplot|gnuplot'
   'python3|python3|python3|python3|python'
   'hdf5.h|hdf5.h hdf5/serial/hdf5.h|libhdf5-dev|hdf5-devel|hdf5'
   'expat.h|expat.h|libexpat1-dev|expat-devel|expat'

@@ -3,7 +3,7 @@
 # other programs. The tests that need such a tool must then be skipped, and nothing may fail.
 # SPDX-License-Identifier: MIT
 set -euo pipefail
-hidden=(gnuplot valgrind python clang doxygen parallel gappa chromium node zsh groff pip dask dpkg-shlibdeps coq
+hidden=(valgrind python clang doxygen parallel gappa chromium node zsh groff pip dask dpkg-shlibdeps coq
   ocaml)
 
 links=$(mktemp -d)

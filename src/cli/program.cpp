@@ -232,7 +232,7 @@ int run_program(int argc, const char* const* argv) {
   } catch (const std::bad_alloc&) {
     return complain("touchstone: out of memory");
   } catch (const std::exception& error) {
-    // Ctrl-C on a terminal ends child processes too, such as gnuplot. The signal is then the reason for the error.
+    // Ctrl-C on a terminal ends child processes too, such as a solver. The signal is then the reason for the error.
     throw_if_interrupted();
     // The standard library's errors repeat names of any length.
     constexpr std::size_t kLongest = 10'000;

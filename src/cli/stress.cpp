@@ -42,9 +42,8 @@ int run_stress(const StressOptions& options) {
   stress::Options asked = options.stress;
   asked.separation = options.separation.separation;
   const stress::Stress made = stress::run_stress(asked, progress);
-  const std::string hint = stress::write_stress(made, options.out, progress);
+  stress::write_stress(made, options.out);
   folders.keep();
-  if (!hint.empty()) print_error(fmt::format("touchstone: {}\n", hint));
 
   auto console = io::OutputFile::standard_output();
   console.write(file + "\n");
@@ -60,8 +59,9 @@ int run_stress(const StressOptions& options) {
 void add_stress(CLI::App& program, Command& command) {
   const auto options = std::make_shared<StressOptions>();
   CLI::App* const subcommand = program.add_subcommand(
-      "stress", "Show where each method breaks as queries get stiff: a stability table and plots");
-  subcommand->add_option("--out", options->out, "The folder for the table and the plots; it is made when it is missing")
+      "stress", "Show where each method breaks as queries get stiff: a stability table and pictures");
+  subcommand
+      ->add_option("--out", options->out, "The folder for the table and the pictures; it is made when it is missing")
       ->required()
       ->check([](const std::string& text) { return text.empty() ? "the folder's name is empty" : ""; })
       ->type_name("FOLDER");
@@ -99,7 +99,7 @@ void add_stress(CLI::App& program, Command& command) {
       "Exact arithmetic judges, and the oracle judges it on some queries of each setting. Writes\n"
       "  FOLDER/stress.md    missed, phantom, late, time error, run time and levels, and how run time grows\n"
       "  FOLDER/stress.csv   every number, with version, machine and compiler\n"
-      "  FOLDER/plots/       NAME.svg, NAME.png, and their script NAME.gp; drawing needs gnuplot\n"
+      "  FOLDER/plots/       pictures, NAME.svg\n"
       "in about half a minute, longer on a busy machine.\n\n"
       "Examples\n"
       "  touchstone stress --out stress\n"

@@ -77,18 +77,6 @@ TEST_CASE("the doctor finds this machine sound") {
   CHECK(occurrences(run.out, "\nall is well\n") == 1);
 }
 
-TEST_CASE("the doctor names a missing program and its package") {
-  RunOptions options;
-  options.search_path = "/no/such/folder";
-  const Run run = run_program({"doctor"}, options);
-  CHECK(run.status == 0);  // a part that is missing is no fault
-  const std::string plots = line_of(run.out, "plots");
-  CAPTURE(plots);
-  CHECK(plots.rfind("no ", 0) == 0);
-  CHECK(occurrences(plots, "Debian: gnuplot-nox") == 1);
-  CHECK(line_of(run.out, "proof checker").rfind("yes ", 0) == 0);  // it lies beside the program
-}
-
 TEST_CASE("the doctor's checks pass this machine's arithmetic, and each fault is found") {
   const auto faults = [](const Arithmetic& a) {
     std::string found;

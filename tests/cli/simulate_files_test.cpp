@@ -24,12 +24,6 @@ std::string last_line(const std::string& text) {
   return text.substr(before + 1, end - before);
 }
 
-/// A folder with a program named gnuplot that does this.
-std::string with_gnuplot(const TemporaryFolder& folder, const std::string& name, const std::string& body) {
-  fs::permissions(folder.write(name + "/gnuplot", "#!/bin/sh\n" + body), fs::perms::owner_all);
-  return folder.path(name);
-}
-
 }  // namespace
 
 TEST_CASE("files that would take each other's place are refused before anything is written") {
@@ -56,10 +50,10 @@ TEST_CASE("files that would take each other's place are refused before anything 
   };
   check_refused({"two-edges", "--proof", folder.path("x"), "--energies", folder.path("./y/../x")},
                 "--proof and --energies name the same file, ");
-  for (const char* name : {"energies.csv", "energies.gp", "energies.svg", "energies.png", "frames/frames.vtk.series"}) {
+  for (const char* name : {"energies.csv", "energies.svg", "frames/frames.vtk.series"}) {
     for (const std::string option : {"--proof", "--energies", "--checkpoint"}) {
       const std::string ending = std::filesystem::path(name).extension().string();
-      const bool fits = ending == ".gp" || ending == ".series" || (ending == ".csv" && option != "--checkpoint");
+      const bool fits = ending == ".series" || (ending == ".csv" && option != "--checkpoint");
       check_refused(
           {"two-edges", "--out", out, option, out + "/" + name},
           option + (fits ? " and --out name the same file, " : ": " + out + "/" + name + " has the ending of "));
@@ -119,45 +113,7 @@ TEST_CASE("energies that are wanted elsewhere are in the folder as well") {
   CHECK(run.status == 0);
   CHECK(occurrences(folder.read("energies.csv"), "\n") == 6);
   CHECK(folder.read("out/energies.csv") == folder.read("energies.csv"));
-  CHECK(folder.read("out/energies.gp") != "");
-}
-
-TEST_CASE("nothing that gnuplot prints reaches the user, and plots are whole or not there") {
-  const TemporaryFolder folder;
-  const std::string noise = "echo 'Warning: empty x range'\necho 'line 7: nonsense' >&2\n";
-  const auto simulate = [&](const std::string& gnuplot, const std::string& steps, const std::string& out) {
-    RunOptions options;
-    options.search_path = gnuplot + ":/usr/bin:/bin";
-    return run_program({"simulate", "two-edges", "--steps", steps, "--out", folder.path(out)}, options);
-  };
-  const std::string draws = with_gnuplot(
-      folder, "draws", noise + "test -s energies.csv || exit 1\necho 1 > energies.svg\necho 2 > energies.png\n");
-  const Run drawn = simulate(draws, "3", "drawn");
-  CHECK(drawn.status == 0);
-  CHECK(drawn.err == "");
-  CHECK(first_line(drawn.out) == "3 steps, 0 crossings");
-  CHECK(folder.read("drawn/energies.svg") == "1\n");
-  CHECK(folder.read("drawn/energies.png") == "2\n");
-
-  const Run still = simulate(draws, "0", "still");
-  CHECK(still.status == 0);
-  CHECK(still.err == "touchstone: no step was made, so there are no energies to draw\n");
-  CHECK(first_line(still.out) == "0 steps, 0 crossings; warning: only the start was asked about");
-  CHECK(occurrences(folder.read("still/energies.csv"), "\n") == 2);
-  CHECK_FALSE(fs::exists(folder.path("still/energies.svg")));
-  CHECK_FALSE(fs::exists(folder.path("still/energies.gp")));
-
-  const Run failed =
-      simulate(with_gnuplot(folder, "fails", "echo 1 > energies.svg\n" + noise + "exit 1\n"), "3", "failed");
-  CHECK(failed.status == 2);
-  CHECK(occurrences(failed.err, "/fails/gnuplot failed on energies.gp: line 7: nonsense\n") == 1);
-  CHECK(occurrences(failed.err, "\n") == 1);
-  CHECK(first_line(failed.out) == "3 steps, 0 crossings");
-  CHECK(occurrences(folder.read("failed/energies.csv"), "\n") == 5);
-  CHECK_FALSE(fs::exists(folder.path("failed/energies.svg")));
-  std::size_t left = 0;
-  for ([[maybe_unused]] const auto& entry : fs::directory_iterator(folder.path("failed"))) ++left;
-  CHECK(left == 3);  // frames, energies.csv and energies.gp
+  CHECK(occurrences(folder.read("out/energies.svg"), "class=\"line") == 18);  // 6 energies, 3 counts, and their legend
 }
 
 TEST_CASE("a file that cannot be written is not there, and keeps none of the others from being there") {

@@ -90,7 +90,7 @@ TEST_CASE("the hoop runs with a proof of each step, and the ball goes through th
   ball >> x >> y >> z;
   CHECK(z < 1.1);
   CHECK(z > 0);
-  CHECK(std::filesystem::exists(folder.path("out/energies.gp")));
+  CHECK(std::filesystem::exists(folder.path("out/energies.svg")));
 }
 
 TEST_CASE("ten seconds of the hoop, every step certified, every other one a frame", "[slow]") {

@@ -68,7 +68,7 @@ reason_not_to_run() {
     'touchstone stress --out '*) echo 'it measures for half a minute; tests/stress runs it smaller' ;;
     *)
       local tool
-      for tool in python3 gnuplot clang++ clang-format doxygen valgrind ninja parallel; do
+      for tool in python3 clang++ clang-format doxygen valgrind ninja parallel; do
         if [[ " $1 " =~ [[:space:]\"\'/]"$tool"[[:space:]\"\'] ]] && ! command -v "$tool" >/dev/null; then
           echo "$tool is not installed"
           return

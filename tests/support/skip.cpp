@@ -6,7 +6,6 @@
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
-#include <map>
 #include <sstream>
 #include <system_error>
 
@@ -14,13 +13,6 @@ namespace touchstone::tests {
 namespace {
 
 bool skipped = false;
-
-/// Debian's package of a tool that is named otherwise.
-std::string package_of(const std::string& tool) {
-  static const std::map<std::string, std::string> packages = {{"clang++", "clang"}, {"gnuplot", "gnuplot-nox"}};
-  const auto found = packages.find(tool);
-  return found == packages.end() ? tool : found->second;
-}
 
 }  // namespace
 
@@ -46,7 +38,7 @@ std::optional<std::string> find_tool(const std::string& tool) {
 
 bool has_tool_or_skip(const std::string& tool) {
   if (find_tool(tool)) return true;
-  skip("there is no " + tool + " in PATH (Debian's package is " + package_of(tool) + ")");
+  skip("there is no " + tool + " in PATH (Debian's package is " + tool + ")");
   return false;
 }
 

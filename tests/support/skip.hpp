@@ -26,7 +26,7 @@ bool has_tool_or_skip(const std::string& tool);
 
 }  // namespace touchstone::tests
 
-/// TEST_CASE_WITH("gnuplot", "every plot is drawn") { ... }: a test case that needs an optional tool, and is skipped
+/// TEST_CASE_WITH("groff", "the page is formatted") { ... }: a test case that needs an optional tool, and is skipped
 /// where the tool is missing. CTest gives it the label optional-tools (see tests/CMakeLists.txt).
 #define TEST_CASE_WITH(tool, name) TOUCHSTONE_TEST_CASE_AT_LINE(tool, name, __LINE__)
 #define TOUCHSTONE_TEST_CASE_AT_LINE(tool, name, line) TOUCHSTONE_TEST_CASE_AS(tool, name, with_tool_at_line_, line)

@@ -2,12 +2,14 @@
 // SPDX-License-Identifier: MIT
 #include <cmath>
 #include <cstddef>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "support/catch.hpp"
+#include "view/chart.hpp"
 #include "view/pages/measurements_page.hpp"
-#include "view/scatter.hpp"
 
 using namespace touchstone::view;
 
@@ -19,55 +21,100 @@ std::size_t occurrences_of(const std::string& text, const std::string& part) {
   return count;
 }
 
-/// The numbers after `name` of all circles.
-std::vector<double> numbers_after(const std::string& svg, const std::string& name) {
-  std::vector<double> all;
-  const std::string key = " " + name + "=\"";
-  for (std::size_t at = svg.find("<circle"); at != std::string::npos; at = svg.find("<circle", at + 1)) {
-    all.push_back(std::stod(svg.substr(svg.find(key, at) + key.size())));
+/// The middles of all points, which have no own look but a circle of radius 5.5.
+std::vector<std::pair<double, double>> middles(const std::string& svg) {
+  std::vector<std::pair<double, double>> all;
+  const std::string key = " d=\"M";
+  for (std::size_t at = svg.find("class=\"dot"); at != std::string::npos; at = svg.find("class=\"dot", at + 1)) {
+    const std::string path = svg.substr(svg.find(key, at) + key.size(), 40);
+    all.emplace_back(std::stod(path) + 5.5, std::stod(path.substr(path.find(',') + 1)));
   }
   return all;
 }
 
+ChartSeries series_of(const std::vector<ChartPoint>& points, const std::string& name = "a") {
+  ChartSeries series;
+  series.name = name;
+  series.points = points;
+  return series;
+}
+
+Chart error_chart(const std::vector<ChartSeries>& series) { return {"title", {"x", true}, {"y", true}, series}; }
+
 }  // namespace
 
 TEST_CASE("points stand in the order of their numbers, inside the picture, and no error is the lowest of all") {
-  const std::string svg = scatter_svg({{0.05, 0, "a", "", "r0", false},
-                                       {0.5, 1e-4, "b", "", "r1", false},
-                                       {5, 3, "c", "", "r2", false},
-                                       {5000, 4.5e15, "d", "", "r3", true}},
-                                      {"title", "x", "y"});
-  const auto x = numbers_after(svg, "cx"), y = numbers_after(svg, "cy");
-  REQUIRE(x.size() == 4);
+  const auto points = middles(chart_svg(error_chart({series_of({{0.05, 0}, {0.5, 1e-4}, {5, 3}, {5000, 4.5e15}})})));
+  REQUIRE(points.size() == 4);
   for (std::size_t i = 0; i < 4; ++i) {
-    CHECK((x[i] > 0 && x[i] < 560 && y[i] > 0 && y[i] < 320));
-    if (i > 0) CHECK((x[i] > x[i - 1] && y[i] < y[i - 1]));
+    const auto [x, y] = points[i];
+    CHECK((x > 0 && x < 560 && y > 0 && y < 320));
+    if (i > 0) CHECK((x > points[i - 1].first && y < points[i - 1].second));
   }
   // Equal factors are equal ways.
-  CHECK(std::abs((x[2] - x[1]) - (x[1] - x[0])) < 0.2);
-  CHECK(occurrences_of(svg, "class=\"dot own\"") == 1);
-  CHECK(occurrences_of(scatter_svg({}, {"title", "x", "y"}), "<circle") == 0);
-  CHECK(numbers_after(scatter_svg({{1, 0, "a", "", "", false}}, {"t", "x", "y"}), "cy").size() == 1);
+  CHECK(std::abs((points[2].first - points[1].first) - (points[1].first - points[0].first)) < 0.2);
+  CHECK(middles(chart_svg(error_chart({}))).empty());
+  CHECK(middles(chart_svg(error_chart({series_of({{1, 0}})}))).size() == 1);
+}
+
+TEST_CASE("equal steps are equal ways on an axis of numbers, and names stand under their points") {
+  Chart chart{"title", {"x"}, {"y"}, {series_of({{-300, -3}, {0, 0}, {300, 3}, {900, 9}})}};
+  const auto points = middles(chart_svg(chart));
+  REQUIRE(points.size() == 4);
+  CHECK(std::abs((points[2].first - points[1].first) - (points[1].first - points[0].first)) < 0.2);
+  CHECK(std::abs((points[3].first - points[2].first) - 2 * (points[1].first - points[0].first)) < 0.3);
+  CHECK(std::abs((points[0].second - points[1].second) - (points[1].second - points[2].second)) < 0.2);
+  chart = {"title", {"x"}, {"y", true}, {series_of({{0, 1}, {1, 10}})}};
+  chart.x.names = {"half", "all"};
+  const std::string svg = chart_svg(chart);
+  for (const auto& [x, y] : middles(svg)) {
+    CHECK(occurrences_of(svg, "<text x=\"" + std::to_string(static_cast<int>(x)) + ".") >= 1);
+  }
+  CHECK(occurrences_of(svg, ">half</text>") == 1);
+}
+
+TEST_CASE("a line goes from point to point, and is broken where a value is missing") {
+  const std::string svg =
+      chart_svg({"title", {"x"}, {"y"}, {series_of({{0, 1}, {1, 2}, {2, std::nullopt}, {3, 1}, {4, 5}})}});
+  const std::string line = svg.substr(svg.find("class=\"line"));
+  const std::string path = line.substr(0, line.find("/>"));
+  CHECK(occurrences_of(path, "M") == 2);
+  CHECK(occurrences_of(path, "L") == 2);
+  CHECK(middles(svg).size() == 4);
 }
 
 TEST_CASE("our own point has its label, and lies over the others") {
-  std::vector<ScatterPoint> points;
-  for (int i = 0; i < 10; ++i) points.push_back({1 + 0.001 * i, 0, "other", "", "", false});
-  points.insert(points.begin() + 4, {1.0005, 0, "a long name of our own", "", "", true});
-  points.push_back({100, 1, "other", "", "", false});
-  const std::string svg = scatter_svg(points, {"title", "x", "y"});
+  std::vector<ChartPoint> points;
+  for (int i = 0; i < 10; ++i) points.push_back({1 + 0.001 * i, 0, "other"});
+  points.push_back({100, 1, "other"});
+  ChartSeries own = series_of({{1.0005, 0, "a long name of our own"}}, "own");
+  own.own = true;
+  const std::string svg = chart_svg(error_chart({own, series_of(points)}));
   CHECK(occurrences_of(svg, ">a long name of our own</text>") == 1);
-  CHECK(svg.rfind("<circle") == svg.find("<circle class=\"dot own\""));
+  CHECK(svg.rfind("class=\"dot") == svg.find("class=\"dot k0 own\""));
 }
 
 TEST_CASE("labels that would lie on one another are left out, and all points stay") {
-  std::vector<ScatterPoint> points;
-  for (int i = 0; i < 20; ++i) points.push_back({1 + 0.001 * i, 1, "label", "", "", false});
-  points.push_back({1000, 1000, "label", "", "", false});
-  const std::string svg = scatter_svg(points, {"title", "x", "y"});
-  CHECK(occurrences_of(svg, "<circle") == 21);
+  std::vector<ChartPoint> points;
+  for (int i = 0; i < 20; ++i) points.push_back({1 + 0.001 * i, 1, "label"});
+  points.push_back({1000, 1000, "label"});
+  const std::string svg = chart_svg(error_chart({series_of(points)}));
+  CHECK(middles(svg).size() == 21);
   CHECK(occurrences_of(svg, ">label</text>") >= 1);
   CHECK(occurrences_of(svg, ">label</text>") <= 3);
+}
+
+TEST_CASE("a file of charts names each series once, as text, and has colours for light and for dark") {
+  const std::string name = "<script>&";
+  const Chart one = error_chart({series_of({{1, 1}, {2, 2}}, name), series_of({{1, 3}}, "other")});
+  const std::string svg = chart_file(name, name, {one, one, one});
+  CHECK(svg.rfind("<svg xmlns=\"http://www.w3.org/2000/svg\"", 0) == 0);
+  CHECK(occurrences_of(svg, "<script>") == 0);
+  CHECK(occurrences_of(svg, ">other</text>") == 1);
+  CHECK(occurrences_of(chart_file("t", "", {one, error_chart({series_of({{1, 1}}, "new")})}), ">title:</text>") == 2);
+  CHECK(occurrences_of(svg, "<g transform") == 3);
+  CHECK(occurrences_of(svg, "prefers-color-scheme: dark") == 1);
+  CHECK(occurrences_of(svg, "href") == 0);
 }
 
 TEST_CASE("a page of measurements shows names as text, and numbers to sort by") {
@@ -78,12 +125,12 @@ TEST_CASE("a page of measurements shows names as text, and numbers to sort by") 
   all.columns = {name};
   MeasuredSet set;
   set.name = set.about = name;
-  set.methods.push_back({name, true, 2, {0.0}, {{name, 3.5}}});
-  set.methods.push_back({"other", false, 2, {std::nullopt}, {{name, std::nullopt}}});
+  set.methods.push_back({name, series_of({}, name), 2, {0.0}, {{name, 3.5}}});
+  set.methods.push_back({"other", series_of({}), 2, {std::nullopt}, {{name, std::nullopt}}});
   all.sets.push_back(set);
   const std::string text = page_text(measurements_page(all));
   CHECK(occurrences_of(text, "<script>alert") == 0);
   CHECK(occurrences_of(text, "data-value=\"3.5\"") == 1);
-  CHECK(occurrences_of(text, "<circle") == 1);  // the other one has no error to show
+  CHECK(occurrences_of(text, "class=\"dot") == 1);  // the other one has no error to show
   CHECK(occurrences_of(text, "id=\"row-0-1\"") == 1);
 }

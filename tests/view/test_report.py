@@ -101,7 +101,7 @@ class Reports(pages.Pages):
         url = self.page.open(self.out)
         self.assertLessEqual(self.page.evaluate("document.documentElement.scrollWidth"), 390)
         self.assertEqual(self.page.evaluate("getComputedStyle(document.body).backgroundColor"), "rgb(20, 23, 27)")
-        self.assertGreater(self.page.evaluate("document.querySelector('.scatter').getBoundingClientRect().width"), 300)
+        self.assertGreater(self.page.evaluate("document.querySelector('.chart').getBoundingClientRect().width"), 300)
         self.check_quiet(url)
 
 

@@ -1,16 +1,33 @@
 // SPDX-License-Identifier: MIT
 #include "cli/doctor/found_components.hpp"
 
+#include <unistd.h>
+
+#include <cstdlib>
 #include <filesystem>
 #include <optional>
+#include <sstream>
+#include <string>
 #include <system_error>
 
 #include "io/fail.hpp"
-#include "report/pictures/find_program.hpp"
-#include "report/pictures/gnuplot.hpp"
 
 namespace touchstone::cli {
 namespace {
+
+/// The program of this name that PATH finds, as an absolute path.
+std::optional<std::string> find_program(const std::string& name) {
+  const char* const path = std::getenv("PATH");
+  std::istringstream folders(path == nullptr ? "" : path);
+  for (std::string folder; std::getline(folders, folder, ':');) {
+    std::error_code ignored;
+    const auto program = std::filesystem::absolute(folder.empty() ? "." : folder, ignored) / name;
+    if (std::filesystem::is_regular_file(program, ignored) && ::access(program.c_str(), X_OK) == 0) {
+      return program.string();
+    }
+  }
+  return std::nullopt;
+}
 
 /// The checker of proofs beside this program, or in PATH.
 std::optional<std::string> find_checker() {
@@ -20,21 +37,15 @@ std::optional<std::string> find_checker() {
     const auto beside = self.parent_path() / "touchstone-check";
     if (std::filesystem::is_regular_file(beside, error)) return beside.string();
   }
-  return report::find_program("touchstone-check");
-}
-
-BuildComponent component(const char* name, const std::optional<std::string>& path, const char* without,
-                         const char* package) {
-  return {name, path.has_value(), path ? io::printable(*path) : std::string(without), package};
+  return find_program("touchstone-check");
 }
 
 }  // namespace
 
 std::vector<BuildComponent> found_components() {
-  return {
-      component("plots", report::find_gnuplot(), "gnuplot is not in PATH: report, stress and simulate draw no plots",
-                "gnuplot-nox"),
-      component("proof checker", find_checker(), "touchstone-check is neither beside this program nor in PATH", "")};
+  const auto checker = find_checker();
+  return {{"proof checker", checker.has_value(),
+           checker ? io::printable(*checker) : "touchstone-check is neither beside this program nor in PATH", ""}};
 }
 
 }  // namespace touchstone::cli

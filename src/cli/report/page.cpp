@@ -11,6 +11,7 @@
 #include "report/machine.hpp"
 #include "report/markdown.hpp"
 #include "report/pictures/front.hpp"
+#include "report/pictures/pictures.hpp"
 #include "report/text.hpp"
 #include "view/pages/measurements_page.hpp"
 
@@ -33,7 +34,7 @@ Cell ulps(std::int64_t error) { return {report::ulps(error), static_cast<double>
 view::MeasuredMethod measured(const report::Result& result, const report::QuerySet& set) {
   view::MeasuredMethod method;
   method.label = result.contestant.label();
-  method.own = result.contestant.is_touchstone();
+  method.look = report::look_of(result.contestant);
   method.time = result.mean;
   std::optional<double> greatest;
   if (result.time_error) greatest = static_cast<double>(result.time_error->greatest_size);

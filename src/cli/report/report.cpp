@@ -160,7 +160,7 @@ int run_report(const ReportOptions& options) {
   size.separation = options.separation.separation;
   report::Report made = report::make_report(size, std::move(sets), progress);
   made.remarks = std::move(remarks);
-  const std::string hint = report::write_report(made, options.out, progress);
+  report::write_report(made, options.out);
   folders.keep();
   std::string pages;
   if (page) {
@@ -169,7 +169,6 @@ int run_report(const ReportOptions& options) {
     page->commit();
     pages = fmt::format("{}, {} bytes: open it in a browser\n", io::printable(options.html), grouped(text.size()));
   }
-  if (!hint.empty()) print_error(fmt::format("touchstone: {}\n", hint));
 
   auto console = io::OutputFile::standard_output();
   console.write((root / "report.md").string() + "\n" + pages);
@@ -182,7 +181,7 @@ int run_report(const ReportOptions& options) {
 void add_report(CLI::App& program, Command& command) {
   const auto options = std::make_shared<ReportOptions>();
   CLI::App* const subcommand =
-      program.add_subcommand("report", "Compare error and run time of every method: tables and plots");
+      program.add_subcommand("report", "Compare error and run time of every method: tables and pictures");
   subcommand->add_option("FILE", options->files, "Query files to ask as well, as the sets files/KIND")->type_name("");
   add_kind_option(*subcommand, options->kind);
   subcommand->add_option("--out", options->out, "The folder for the report; it is made when it is missing")
@@ -210,10 +209,8 @@ void add_report(CLI::App& program, Command& command) {
       "  FOLDER/report.md    tables: errors, mean run time, percentiles, levels, scales, and the methods on the front\n"
       "  FOLDER/report.csv   every number, with version, machine and compiler\n"
       "  FOLDER/simulation.csv  how fast scenes are simulated, and in how much memory\n"
-      "  FOLDER/plots/       NAME.svg, NAME.png, and their gnuplot script NAME.gp\n"
-      "in about four minutes. Plots need gnuplot at run time: gnuplot-nox on Debian and Ubuntu, gnuplot on Fedora "
-      "and\n"
-      "Arch. Without gnuplot only the scripts are written, and can be drawn later.\n\n"
+      "  FOLDER/plots/       pictures, NAME.svg\n"
+      "in about four minutes.\n\n"
       "Examples\n"
       "  touchstone report --out report\n"
       "  touchstone report --quick --out report --html report.html\n"

@@ -14,7 +14,7 @@
 #include "io/fail.hpp"
 #include "io/queries/query_writer.hpp"
 #include "io/queries/separation_text.hpp"
-#include "report/pictures/drawing.hpp"
+#include "io/write_whole.hpp"
 #include "sim/checkpoint.hpp"
 
 namespace touchstone::cli {
@@ -24,33 +24,6 @@ namespace fs = std::filesystem;
 
 // They are all open at once, and a process may have a thousand files or so.
 constexpr std::size_t kMostQueryFiles = 256;
-
-/// Energies and contacts over time, from the table beside it.
-constexpr const char* kPlotScript =
-    "set datafile separator ','\n"
-    "set xlabel 'time [s]'\n"
-    "set grid lc rgb '#E4E4E4' lt 1\n"
-    "set key outside right center\n"
-    "set lmargin 12\n"
-    "set rmargin 20\n"
-    "do for [ending in 'svg png'] {\n"
-    "  if (ending eq 'svg') { set terminal svg size 1000,700 background 'white' } else { set terminal pngcairo size "
-    "1000,700 }\n"
-    "  set output 'energies.'.ending\n"
-    "  set multiplot layout 2,1\n"
-    "  set ylabel 'energy [J]'\n"
-    "  plot 'energies.csv' skip 1 using 2:8 with lines lw 2 lc rgb '#000000' title 'total', \\\n"
-    "       '' skip 1 using 2:3 with lines lw 1.5 lc rgb '#0072B2' title 'kinetic', \\\n"
-    "       '' skip 1 using 2:4 with lines lw 1.5 lc rgb '#E69F00' title 'stretch', \\\n"
-    "       '' skip 1 using 2:5 with lines lw 1.5 lc rgb '#009E73' title 'bend', \\\n"
-    "       '' skip 1 using 2:6 with lines lw 1.5 lc rgb '#CC79A7' title 'twist', \\\n"
-    "       '' skip 1 using 2:7 with lines lw 1.5 lc rgb '#999999' title 'load'\n"
-    "  set ylabel 'pairs a step'\n"
-    "  plot 'energies.csv' skip 1 using 2:10 with lines lw 1.5 lc rgb '#56B4E9' title 'close', \\\n"
-    "       '' skip 1 using 2:11 with impulses lc rgb '#D55E00' title 'contacts'\n"
-    "  unset multiplot\n"
-    "  set output\n"
-    "}\n";
 
 Vec3 vec(const sim::Vector3& x) { return {x.x(), x.y(), x.z()}; }
 
@@ -129,12 +102,6 @@ class Attempts {
 
 }  // namespace
 
-void write_whole(const std::string& path, std::string_view text) {
-  io::OutputFile file(path);
-  file.write(text);
-  file.commit();
-}
-
 SimulateOutput::SimulateOutput(const SimulateOptions& options, sim::Simulation& simulation)
     : options_(&options), simulation_(&simulation) {
   // Files that cannot be written are found before the run, not after it.
@@ -166,6 +133,8 @@ SimulateOutput::SimulateOutput(const SimulateOptions& options, sim::Simulation& 
   folders_.make(frames_);
   open_energies((fs::path(options.out) / (std::string(kEnergies) + ".csv")).string());
   frame_index_.emplace((frames_ / kFrameIndex).string());
+  picture_.emplace((fs::path(options.out) / (std::string(kEnergies) + ".svg")).string());
+  drawn_.add(simulation.state().time, step_values(simulation, {}));
   write_frame();
 }
 
@@ -192,7 +161,7 @@ void SimulateOutput::write_query(const Query& query, double separation, const An
 
 void SimulateOutput::write_frame() {
   const std::string name = frame_name(simulation_->steps());
-  write_whole((frames_ / name).string(), sim::vtk_frame(*simulation_));
+  io::write_whole((frames_ / name).string(), sim::vtk_frame(*simulation_));
   written_.push_back({name, simulation_->state().time});
   since_frame_ = 0;
 }
@@ -211,6 +180,7 @@ void SimulateOutput::step(const std::vector<sim::SubstepRecord>& records) {
     if (!options_->out.empty() && ++since_frame_ >= options_->frame_every) write_frame();
   });
   if (animation_) animation_->step(records);
+  if (picture_) drawn_.add(simulation_->state().time, step_values(*simulation_, records));
   attempts.with(motion_, [&](MotionProofs& motion) {
     for (const auto& record : records) motion.add(motion_frame(*simulation_, record.end, record.end_bodies));
   });
@@ -226,6 +196,10 @@ void SimulateOutput::finish(const std::string& summary) {
   });
   attempts.with(proof_, commit);
   for (auto& file : energies_) attempts.with(file, commit);
+  attempts.with(picture_, [&](io::OutputFile& file) {
+    file.write(drawn_.svg());
+    file.commit();
+  });
   for (auto& [question, file] : queries_) attempts.with(file, commit);
   attempts.with(motion_, [&](MotionProofs& motion) {
     if (!motion.has_steps()) throw Error("--prove: no step was made, so there is nothing to prove");
@@ -265,13 +239,6 @@ std::string SimulateOutput::proofs_summary() const {
 std::string SimulateOutput::page_summary() const {
   if (page_size_ == 0) return {};
   return animation_summary(options_->html, page_size_);
-}
-
-std::string SimulateOutput::draw() {
-  if (options_->out.empty()) return {};
-  if (steps_ == 0) return "no step was made, so there are no energies to draw";
-  return report::write_plots({{kEnergies, kPlotScript, {std::string(kEnergies) + ".csv"}}}, options_->out,
-                             [](double) { throw_if_interrupted(); });
 }
 
 }  // namespace touchstone::cli

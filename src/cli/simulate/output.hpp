@@ -11,6 +11,7 @@
 
 #include "cli/shared/new_folders.hpp"
 #include "cli/shared/proofs/motion_proofs.hpp"
+#include "cli/simulate/energies_picture.hpp"
 #include "cli/simulate/simulate.hpp"
 #include "cli/simulate/simulation_animation.hpp"
 #include "io/output_file.hpp"
@@ -25,7 +26,7 @@ class SimulateOutput {
 
   void step(const std::vector<sim::SubstepRecord>& records);
 
-  /// Writes all files except the plots. @param summary  of the run, for the page of --html: nothing in it is measured, so
+  /// Writes all files. @param summary  of the run, for the page of --html: nothing in it is measured, so
   /// that two runs of a scene write the same page
   /// @throws Error for the first file that cannot be written, after the others
   void finish(const std::string& summary);
@@ -41,9 +42,6 @@ class SimulateOutput {
 
   /// Whether the proofs have no contact; true without them.
   bool proved_free() const { return !motion_ || motion_->contacts() == 0; }
-
-  /// Draws the plots. @returns a hint when there is nothing to draw, or no gnuplot to draw it
-  std::string draw();
 
   SimulateOutput(const SimulateOutput&) = delete;
   SimulateOutput& operator=(const SimulateOutput&) = delete;
@@ -62,12 +60,11 @@ class SimulateOutput {
   std::optional<SimulationAnimation> animation_;
   std::uint64_t page_size_ = 0;
   std::optional<io::OutputFile> proof_, frame_index_, checkpoint_;
+  std::optional<io::OutputFile> picture_;  ///< energies.svg
+  EnergiesPicture drawn_;
   std::vector<std::optional<io::OutputFile>> energies_;
   std::map<std::pair<Kind, double>, std::optional<io::OutputFile>> queries_;  // by kind and separation
   std::uint64_t steps_ = 0, since_frame_ = 0;
 };
-
-/// Writes `text` to a file that appears whole.
-void write_whole(const std::string& path, std::string_view text);
 
 }  // namespace touchstone::cli

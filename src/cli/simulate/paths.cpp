@@ -124,8 +124,7 @@ void check_paths(const SimulateOptions& options) {
   files.add("--html", options.html);
   if (!options.out.empty()) {
     const fs::path out = options.out;
-    for (const char* ending : {".csv", ".gp", ".svg", ".png"})
-      files.add_in("--out", out, std::string(kEnergies) + ending);
+    for (const char* ending : {".csv", ".svg"}) files.add_in("--out", out, std::string(kEnergies) + ending);
     files.add_in("--out", out / kFrameFolder, kFrameIndex);
     files.frames_in(out / kFrameFolder);
   }

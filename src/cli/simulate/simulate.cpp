@@ -20,6 +20,7 @@
 #include "cli/simulate/paths.hpp"
 #include "cli/simulate/run_summary.hpp"
 #include "cli/simulate/scene_input.hpp"
+#include "io/write_whole.hpp"
 #include "scene/scene_file.hpp"
 #include "sim/memory.hpp"
 
@@ -100,7 +101,6 @@ int simulate(sim::Simulation& simulation, const SimulateOptions& options, io::Ou
                 output.page_summary());
   console.commit();
   if (unwritten) std::rethrow_exception(unwritten);
-  if (const std::string hint = output.draw(); !hint.empty()) print_error(fmt::format("touchstone: {}\n", hint));
   return simulation.crossings().empty() && output.proved_free() ? kAllHold : kRefuted;
 }
 
@@ -128,7 +128,7 @@ int run_simulate(const SimulateOptions& options) {
     if (!missing.empty()) throw Error("--follow: " + missing);
   }
   if (!options.scene_out.empty()) {
-    write_whole(options.scene_out, sim::scene_to_json(scene));
+    io::write_whole(options.scene_out, sim::scene_to_json(scene));
     return kAllHold;
   }
   const auto simulation = make_simulation(std::move(scene), std::move(checkpoint), options);

@@ -7,6 +7,7 @@
 
 #include "cli/shared/animation_file.hpp"
 #include "cli/shared/exact_corners.hpp"
+#include "cli/simulate/energies_picture.hpp"
 #include "exact/exact.hpp"
 #include "geometry/kind_traits.hpp"
 #include "sim/output_text.hpp"
@@ -36,8 +37,10 @@ view::AnimationShape shape_of(const sim::Simulation& simulation) {
 }
 
 std::vector<view::AnimationPlot> plots() {
-  return {{"energy [J]", {{"total"}, {"kinetic"}, {"stretch"}, {"bend"}, {"twist"}, {"load"}}},
-          {"pairs since the frame before", {{"close", true}, {"contacts", true}, {"crossings", true}}}};
+  view::AnimationPlot energies{"energy [J]", {}}, counts{"pairs since the frame before", {}};
+  for (const char* name : kEnergyNames) energies.series.push_back({name});
+  for (const char* name : kCountNames) counts.series.push_back({name, true});
+  return {energies, counts};
 }
 
 }  // namespace
@@ -65,16 +68,8 @@ std::vector<double> SimulationAnimation::positions() const {
 }
 
 void SimulationAnimation::add_frame(const std::vector<sim::SubstepRecord>& records) {
-  const sim::Energies e = simulation_->energies();
-  std::uint64_t close = 0, contacts = 0, crossings = 0;
-  for (const sim::SubstepRecord& record : records) {
-    close += record.response.close + record.bodies.close;
-    contacts += record.response.contacts + record.bodies.contacts;
-    crossings += record.proof.crossings;
-  }
-  animation_.add_frame(simulation_->state().time, simulation_->steps(), positions(),
-                       {e.total(), e.kinetic, e.stretch, e.bend, e.twist, e.load, static_cast<double>(close),
-                        static_cast<double>(contacts), static_cast<double>(crossings)});
+  const StepValues values = step_values(*simulation_, records);
+  animation_.add_frame(simulation_->state().time, simulation_->steps(), positions(), {values.begin(), values.end()});
 }
 
 view::AnimationPair SimulationAnimation::elements(const sim::Pair& pair) const {

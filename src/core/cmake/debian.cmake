@@ -38,7 +38,6 @@ if(TARGET touchstone_program)
   set(CPACK_DEBIAN_PROGRAM_PACKAGE_NAME touchstone)
   set(CPACK_DEBIAN_PROGRAM_PACKAGE_SECTION science)
   set(CPACK_DEBIAN_PROGRAM_PACKAGE_SHLIBDEPS ON)
-  set(CPACK_DEBIAN_PROGRAM_PACKAGE_RECOMMENDS gnuplot-nox)
   set(CPACK_COMPONENT_PROGRAM_DESCRIPTION
     "The program touchstone answers queries, judges the claims of other solvers and\nbreaks them, checks animations and simulates; touchstone-check checks proofs.")
 endif()

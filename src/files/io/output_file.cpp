@@ -262,4 +262,10 @@ SpoolFile::~SpoolFile() {
   if (descriptor_ >= 0) ::close(descriptor_);
 }
 
+void write_whole(const std::string& path, std::string_view text) {
+  OutputFile file(path);
+  file.write(text);
+  file.commit();
+}
+
 }  // namespace touchstone::io

@@ -11,15 +11,14 @@
 
 #include "report/machine.hpp"
 #include "report/pictures/front.hpp"
-#include "report/pictures/plots.hpp"
-#include "report/pictures/text_plot.hpp"
+#include "report/pictures/pictures.hpp"
 #include "report/text.hpp"
 
 namespace touchstone::report {
 namespace {
 
-std::string picture(bool plots, const std::string& name, const std::string& what) {
-  return plots ? fmt::format("![{}](plots/{}.svg)\n\n", what, name) : "";
+std::string picture(const std::string& name, const std::string& what) {
+  return fmt::format("![{}](plots/{}.svg)\n\n", what, name);
 }
 
 std::string error_table(const SetResults& set) {
@@ -61,18 +60,17 @@ std::string percentile_table(const SetResults& set) {
   return text + "\n";
 }
 
-std::string set_section(const SetResults& set, bool plots) {
+std::string set_section(const SetResults& set) {
   std::string text = fmt::format("## {}\n\n{}. {} queries, {} with contact.\n\n", set.set.name, set.set.about,
                                  set.set.size(), set.set.contacts());
   text += front_sentence(set.results) + "\n\n";
   text += error_table(set);
-  if (const std::string plot = text_plot(set); !plot.empty()) text += "```\n" + plot + "```\n\n";
-  text += picture(plots, error_plot_name(set), "Error against run time on " + set.set.name);
+  text += picture(error_picture_name(set), "Error against run time on " + set.set.name);
   text += percentile_table(set);
-  return text + picture(plots, percentile_plot_name(set), "Run time percentiles on " + set.set.name);
+  return text + picture(percentile_picture_name(set), "Run time percentiles on " + set.set.name);
 }
 
-std::string level_section(const Report& report, bool plots) {
+std::string level_section(const Report& report) {
   std::string text =
       "## Levels\n\nWhich level of `touchstone` decided, as shares of the queries it was asked.\n\n"
       "| set | queries | filter | bracket | exact |\n|---|---:|---:|---:|---:|\n";
@@ -85,7 +83,7 @@ std::string level_section(const Report& report, bool plots) {
                           percent(Result::fraction_of(result.levels.exact, result.asked)));
     }
   }
-  return text + "\n" + picture(plots, kLevelPlot, "Share of queries per level");
+  return text + "\n";
 }
 
 template <class Cell>
@@ -105,11 +103,11 @@ std::string scale_table(const Report& report, const Cell& cell) {
   return text + "\n";
 }
 
-std::string scale_section(const Report& report, bool plots) {
+std::string scale_section(const Report& report) {
   std::string text = "## Scale of the coordinates\n\n" + report.scales.front().set.about +
                      ". Tolerances that are lengths stay the same length at every scale.\n\nMean us a query:\n\n";
   text += scale_table(report, [](const Result& result, const QuerySet&) { return fmt::format("{:.3g}", result.mean); });
-  text += picture(plots, kScalePlot, "Run time against the scale of the coordinates");
+  text += picture(kScalePicture, "Run time against the scale of the coordinates");
   text += "Wrong answers (missed, phantom or late), as a share of the queries asked:\n\n";
   text += scale_table(report, [](const Result& result, const QuerySet&) { return percent(result.wrong_fraction()); });
   text += "Queries asked, where there was no time for all:\n\n";
@@ -171,19 +169,19 @@ std::string summary(const Report& report) {
       wrong, asked, on_front, report.sets.size(), left_of_all);
 }
 
-std::string markdown_text(const Report& report, bool plots) {
+std::string markdown_text(const Report& report) {
   std::string text = fmt::format(
       "# Touchstone: error against run time\n\nVersion {}, {}, {}. Made by `touchstone report --seed {}{}{}`.\n\n",
       version(), machine_name(), compiler_name(), report.size.seed, report.size.quick ? " --quick" : "",
       separation_arguments(report.size.separation));
   if (report.size.separation.distance > 0) text += kAboutSeparation;
   text += summary(report);
-  text += picture(plots, kOverviewPlot, "Error against run time on " + report.sets.front().set.name);
+  text += picture(kOverviewPicture, "Error against run time on " + report.sets.front().set.name);
   for (const std::string& remark : report.remarks) text += remark + "\n\n";
   text += "## How to read it\n\n";
   text += kHowToRead + methods_section(report);
-  for (const SetResults& set : report.sets) text += set_section(set, plots);
-  return text + level_section(report, plots) + scale_section(report, plots) + scene_runs_section(report.scene_runs);
+  for (const SetResults& set : report.sets) text += set_section(set);
+  return text + level_section(report) + scale_section(report) + scene_runs_section(report.scene_runs);
 }
 
 }  // namespace touchstone::report

@@ -14,7 +14,7 @@ std::string summary(const Report& report);
 /// What the tables' words mean, in Markdown but for the heading.
 extern const char* const kHowToRead;
 
-/// @param plots  whether the plots were drawn, so that the text shows them
-std::string markdown_text(const Report& report, bool plots);
+/// The whole text. It shows the pictures in the folder plots.
+std::string markdown_text(const Report& report);
 
 }  // namespace touchstone::report

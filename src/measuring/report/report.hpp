@@ -1,4 +1,4 @@
-// Error against run time of every method: a folder with tables, numbers and plots.
+// Error against run time of every method: a folder with tables, numbers and pictures.
 // SPDX-License-Identifier: MIT
 #pragma once
 
@@ -43,10 +43,8 @@ std::size_t most_given(const Size& size) noexcept;
 /// those of curved motion, the scales, and scenes. Takes minutes, or some seconds when quick.
 Report make_report(const Size& size, std::vector<QuerySet> given, const Progress& progress);
 
-/// Writes report.md, report.csv, simulation.csv and plots/NAME.gp into `folder`, and draws plots/NAME.svg and
-/// plots/NAME.png.
-/// @returns a line for the user when there is no gnuplot to draw with, or else nothing
-/// @throws Error when something cannot be written, or gnuplot fails
-std::string write_report(const Report& report, const std::string& folder, const Progress& progress);
+/// Writes report.md, report.csv, simulation.csv and plots/NAME.svg into `folder`, which has a folder `plots`.
+/// @throws FileError
+void write_report(const Report& report, const std::string& folder);
 
 }  // namespace touchstone::report

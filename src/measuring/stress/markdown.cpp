@@ -76,7 +76,7 @@ std::string growth_sentence(const Table& table) {
                             g.slowest / g.gentle);
 }
 
-std::string section(const Table& table, bool plots) {
+std::string section(const Table& table) {
   const report::QuerySet& set = table.settings.front().set;
   std::size_t contacts = 0, queries = 0;
   for (const SetResults& setting : table.settings) {
@@ -87,8 +87,7 @@ std::string section(const Table& table, bool plots) {
       fmt::format("## {}\n\n2^n is the {}. {}. {} queries at each setting; of all {}, {} with contact.\n\n", set.name,
                   table.dial->varies, set.about, set.queries.size(), queries, contacts);
   text += growth_sentence(table) + "\n\n";
-  if (plots)
-    text += fmt::format("![Wrong answers and run time along {0}](plots/{1}.svg)\n\n", set.name, plot_name(table));
+  text += fmt::format("![Wrong answers and run time along {0}](plots/{1}.svg)\n\n", set.name, picture_name(table));
   text += "Wrong answers, missed/phantom/late:\n\n" + table_of(table, wrong_cell);
   text += "Greatest time error in ulps, of the contacts that were found:\n\n" + table_of(table, time_cell);
   text +=
@@ -158,7 +157,7 @@ constexpr const char* kHowToRead =
 
 }  // namespace
 
-std::string markdown_text(const Stress& stress, bool plots) {
+std::string markdown_text(const Stress& stress) {
   std::string command =
       fmt::format("touchstone stress --seed {} --count {}", stress.options.seed, stress.options.count);
   for (const Dial* dial : stress.options.which) command += fmt::format(" --dial {}", dial->name);
@@ -166,7 +165,7 @@ std::string markdown_text(const Stress& stress, bool plots) {
   std::string text = fmt::format("# Touchstone: stability\n\nVersion {}, {}, {}. Made by `{}`.\n\n", version(),
                                  report::machine_name(), report::compiler_name(), command);
   text += summary(stress) + overview(stress) + kHowToRead;
-  for (const Table& table : stress.tables) text += section(table, plots);
+  for (const Table& table : stress.tables) text += section(table);
   return text;
 }
 

@@ -5,17 +5,23 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <optional>
+#include <vector>
 
 #include <touchstone/solve.hpp>
 
+#include "io/write_whole.hpp"
 #include "report/csv.hpp"
-#include "report/pictures/drawing.hpp"
+#include "report/pictures/pictures.hpp"
+#include "view/chart.hpp"
 
 namespace touchstone::stress {
 namespace {
 
-constexpr double kMeasuring = 0.9;          ///< fraction of the time; the rest is drawing
 constexpr std::size_t kOracleQueries = 10;  ///< of each set; one takes as long as hundreds of the others
+
+/// A fraction of fewer queries is mostly chance.
+constexpr std::size_t kFewest = 20;
 
 /// Wall-clock seconds: of one pass of one method over one set, and the least that is measured.
 const report::Effort kEffort{0.02, 3, 0.001, 1, true};
@@ -53,6 +59,21 @@ void ask_oracle(const report::SetResults& set, Stress& stress) {
   }
 }
 
+report::Picture picture_of(const Table& table) {
+  const view::ChartAxis x{fmt::format("{}, 2 to the power of", table.dial->varies)};
+  const view::Chart wrong{"Wrong answers: missed, phantom or late", x, {"% of the queries"}, {}};
+  const view::Chart time{"Mean run time", x, {"us per query", true}, {}};
+  const auto wrong_of = [](const report::Result& result) -> std::optional<double> {
+    if (result.asked < kFewest) return std::nullopt;
+    return 100 * result.wrong_fraction();
+  };
+  const std::string name = picture_name(table);
+  return {name, view::chart_file(
+                    "Stability: " + table.settings.front().set.name, "",
+                    {report::chart_of_settings(table.settings, wrong, wrong_of),
+                     report::chart_of_settings(table.settings, time, [](const report::Result& r) { return r.mean; })})};
+}
+
 }  // namespace
 
 Stress run_stress(const Options& options, const report::Progress& progress) {
@@ -70,8 +91,7 @@ Stress run_stress(const Options& options, const report::Progress& progress) {
       Table& table = stress.tables.emplace_back(Table{dial, kind, {}});
       for (const int setting : dial->settings) {
         const auto pulse = [&] {
-          progress(fmt::format("{} 2^{}", dial->name, setting),
-                   kMeasuring * static_cast<double>(done) / static_cast<double>(sets));
+          progress(fmt::format("{} 2^{}", dial->name, setting), static_cast<double>(done) / static_cast<double>(sets));
         };
         auto set = make_set(*dial, kind, setting, options.seed, options.count);
         set.separation = options.separation;
@@ -116,16 +136,19 @@ Growth growth(const Table& table) {
   return result;
 }
 
-std::string write_stress(const Stress& stress, const std::string& folder, const report::Progress& progress) {
+std::string picture_name(const Table& table) { return report::picture_name("", table.settings.front()); }
+
+void write_stress(const Stress& stress, const std::string& folder) {
   const std::filesystem::path root = folder;
-  report::make_folder(root / "plots");
   std::string csv = report::csv_header("dial_exponent", stress.options.separation);
-  for (const Table& table : stress.tables) csv += report::csv_rows({false, stress.options.seed}, table.settings);
-  report::write_whole(root / "stress.csv", csv);
-  const auto drawing = [&](double fraction) { progress("drawing", kMeasuring + (1 - kMeasuring) * fraction); };
-  const std::string hint = report::write_plots(plots(stress), root / "plots", drawing);
-  report::write_whole(root / "stress.md", markdown_text(stress, hint.empty()));
-  return hint;
+  std::vector<report::Picture> pictures;
+  for (const Table& table : stress.tables) {
+    csv += report::csv_rows({false, stress.options.seed}, table.settings);
+    pictures.push_back(picture_of(table));
+  }
+  io::write_whole((root / "stress.csv").string(), csv);
+  report::write_pictures(pictures, root / "plots");
+  io::write_whole((root / "stress.md").string(), markdown_text(stress));
 }
 
 }  // namespace touchstone::stress

@@ -7,7 +7,6 @@
 #include <string>
 #include <vector>
 
-#include "report/pictures/plots.hpp"
 #include "report/report.hpp"
 #include "stress/dials.hpp"
 
@@ -55,13 +54,10 @@ struct Growth {
 };
 Growth growth(const Table& table);
 
-std::string markdown_text(const Stress& stress, bool plots);
-std::vector<report::Plot> plots(const Stress& stress);
-std::string plot_name(const Table& table);  ///< "scale-edge-edge"
+std::string markdown_text(const Stress& stress);
+std::string picture_name(const Table& table);  ///< "scale-edge-edge"
 
-/// Writes stress.md, stress.csv and plots/NAME.gp into `folder`, and draws plots/NAME.svg and plots/NAME.png.
-/// @returns a line for the user when there is no gnuplot to draw with, or else nothing
-/// @throws Error when something cannot be written, or gnuplot fails
-std::string write_stress(const Stress& stress, const std::string& folder, const report::Progress& progress);
+/// Writes stress.md, stress.csv and plots/NAME.svg into `folder`, which has a folder `plots`. @throws FileError
+void write_stress(const Stress& stress, const std::string& folder);
 
 }  // namespace touchstone::stress

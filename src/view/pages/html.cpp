@@ -8,16 +8,12 @@
 #include "view/pages/page_files.hpp"
 
 namespace touchstone::view {
-namespace {
-
-const std::string& file_of_page(const std::string& name) {
+const std::string& page_file(std::string_view name) {
   for (const PageFile& file : page_files()) {
     if (file.name == name) return file.content;
   }
-  throw std::logic_error("the program has no page file " + name);
+  throw std::logic_error("the program has no page file " + std::string(name));
 }
-
-}  // namespace
 
 std::string escaped(std::string_view text) {
   constexpr std::string_view kReplacement = "\xef\xbf\xbd";
@@ -80,8 +76,8 @@ void write_page(const Page& page, const Sink& sink, const std::function<void(con
 <title>)");
   sink(escaped(page.title));
   sink("</title>\n<style>\n");
-  sink(file_of_page("style.css"));
-  for (const std::string& name : page.styles) sink(file_of_page(name));
+  for (const char* name : {"colours.css", "style.css"}) sink(page_file(name));
+  for (const std::string& name : page.styles) sink(page_file(name));
   sink("</style>\n</head>\n<body class=\"" + escaped(page.sort) + "\">\n<header>\n<h1>" + escaped(page.title) +
        "</h1>\n");
   if (!page.subtitle.empty()) sink("<p>" + escaped(page.subtitle) + "</p>\n");
@@ -96,7 +92,7 @@ void write_page(const Page& page, const Sink& sink, const std::function<void(con
   }
   if (more_data) more_data(sink);
   sink("<script>\n'use strict';\n");
-  for (const std::string& name : page.scripts) sink(file_of_page(name));
+  for (const std::string& name : page.scripts) sink(page_file(name));
   sink("</script>\n</body>\n</html>\n");
 }
 

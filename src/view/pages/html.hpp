@@ -20,6 +20,9 @@ std::string escaped(std::string_view text);
 /// that no text ends the element. Bytes that are no UTF-8 become U+FFFD.
 std::string json_for_script(const nlohmann::json& data);
 
+/// A file of src/view/pages/assets. @throws std::logic_error  when there is none
+const std::string& page_file(std::string_view name);
+
 /// Takes the next bytes of a page.
 using Sink = std::function<void(std::string_view)>;
 

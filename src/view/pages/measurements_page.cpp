@@ -5,7 +5,7 @@
 
 #include <cstddef>
 
-#include "view/scatter.hpp"
+#include "view/chart.hpp"
 
 namespace touchstone::view {
 namespace {
@@ -21,7 +21,7 @@ std::string table_of(const MeasuredSet& set, const std::vector<std::string>& col
   for (std::size_t m = 0; m < set.methods.size(); ++m) {
     const MeasuredMethod& method = set.methods[m];
     html += fmt::format("<tr id=\"row-{}-{}\" class=\"{}\"><th scope=\"row\">{}</th>", number, m,
-                        method.own ? "own" : "other", escaped(method.label));
+                        method.look.own ? "own" : "other", escaped(method.label));
     for (const MeasuredMethod::Cell& cell : method.cells) {
       html += cell.value ? fmt::format("<td data-value=\"{}\">{}</td>", *cell.value, escaped(cell.text))
                          : fmt::format("<td>{}</td>", escaped(cell.text));
@@ -32,17 +32,18 @@ std::string table_of(const MeasuredSet& set, const std::vector<std::string>& col
 }
 
 std::string panel_of(const MeasuredSet& set, const Measurements& all, std::size_t panel, std::size_t number) {
-  std::vector<ScatterPoint> points;
+  Chart chart{all.panels[panel].title, {all.time_axis, true}, {all.panels[panel].axis, true}, {}};
   for (std::size_t m = 0; m < set.methods.size(); ++m) {
     const MeasuredMethod& method = set.methods[m];
     if (!method.errors[panel] || !(method.time > 0)) continue;
     const double error = *method.errors[panel];
-    points.push_back({method.time, error, method.label,
-                      fmt::format("{}: {:.3g} {}, {:.3g} {}", method.label, method.time, all.time_axis, error,
-                                  all.panels[panel].axis),
-                      fmt::format("row-{}-{}", number, m), method.own});
+    if (chart.series.empty() || chart.series.back().name != method.look.name) chart.series.push_back(method.look);
+    chart.series.back().points.push_back({method.time, error, method.label,
+                                          fmt::format("{}: {:.3g} {}, {:.3g} {}", method.label, method.time,
+                                                      all.time_axis, error, all.panels[panel].axis),
+                                          fmt::format("row-{}-{}", number, m)});
   }
-  return scatter_svg(points, {all.panels[panel].title, all.time_axis, all.panels[panel].axis});
+  return chart_svg(chart);
 }
 
 }  // namespace
@@ -52,7 +53,7 @@ Page measurements_page(const Measurements& measurements) {
   page.title = measurements.title;
   page.subtitle = measurements.subtitle;
   page.sort = "measurements";
-  page.styles = {"measurements.css"};
+  page.styles = {"chart.css", "measurements.css"};
   page.body = "<main>\n<p>" + escaped(measurements.summary) + "</p>\n<details><summary>What the words mean</summary>" +
               "<p class=\"wrapped\">" + escaped(measurements.how_to_read) + "</p></details>\n";
   for (std::size_t i = 0; i < measurements.sets.size(); ++i) {

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "view/chart.hpp"
 #include "view/pages/html.hpp"
 
 namespace touchstone::view {
@@ -13,7 +14,7 @@ namespace touchstone::view {
 /// One method on one set. All strings are text.
 struct MeasuredMethod {
   std::string label;                          ///< "newton 1e-6"
-  bool own = false;                           ///< it is drawn so that it stands out
+  ChartSeries look;                           ///< its points have this look; methods of one name have one line
   double time = 0;                            ///< on the horizontal axis, > 0
   std::vector<std::optional<double>> errors;  ///< one for each panel, >= 0; nothing where it has none
 
