@@ -113,6 +113,9 @@ TEST_CASE("an engine that cannot be asked is named with the reason") {
   CHECK(occurrences(both.out, "none: not asked: exit status 1") == 1);
   CHECK(occurrences(both.out, "toy/right") > 0);
   CHECK(audit(folder, {"toy/unheard-of"}).status == 2);
+  const Run twice = audit(folder, {"--engine", "toy=true"});
+  CHECK(twice.status == 2);
+  CHECK(occurrences(twice.err, "there is an engine toy; name it otherwise") == 1);
   CHECK(run_program({"audit", "--out", folder.path("out"), "--engine", "Toy"}).status == 2);
   CHECK(run_program({"audit", "unheard-of", "--out", folder.path("out")}).status == 2);
   CHECK(run_program({"audit"}).status == 2);
