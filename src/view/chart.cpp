@@ -62,7 +62,9 @@ class Scale {
 
   /// Steps of 1, 2 or 5 times a power of ten, about six of them.
   static Scale even_steps(double least, double most, double from, double to) {
-    if (most == least) most = least + std::max(1.0, std::abs(least));
+    // So few steps from 0 that each has another number, also where all values are equal but for their rounding.
+    const double size = std::max({std::abs(least), std::abs(most), 1e-290});
+    if (!(most - least > 1e-9 * size)) most = least + size;
     const double power = std::pow(10.0, std::floor(std::log10((most - least) / 3)));
     const double step = power * ((most - least) / power > 15 ? 5 : (most - least) / power > 6 ? 2 : 1);
     const double low = std::floor(least / step), high = std::ceil(most / step);

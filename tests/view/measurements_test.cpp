@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <optional>
 #include <string>
 #include <utility>
@@ -71,6 +72,21 @@ TEST_CASE("equal steps are equal ways on an axis of numbers, and names stand und
     CHECK(occurrences_of(svg, "<text x=\"" + std::to_string(static_cast<int>(x)) + ".") >= 1);
   }
   CHECK(occurrences_of(svg, ">half</text>") == 1);
+}
+
+TEST_CASE("values that are equal but for their rounding, none, and those at the ends of all doubles have an axis") {
+  const auto axis_of = [](const std::vector<ChartPoint>& points) {
+    const std::string svg = chart_svg({"title", {"x"}, {"y"}, {series_of(points)}});
+    return occurrences_of(svg, "class=\"grid\"");
+  };
+  for (const double y : {1.0, -3e15, 0.0, 5e-324, 1e300}) {
+    CAPTURE(y);
+    const std::size_t lines = axis_of({{0, y}, {1, std::nextafter(y, 2 * y + 1)}});
+    CHECK((lines > 2 && lines < 40));
+  }
+  for (const double y : {1.7e308, std::numeric_limits<double>::infinity(), std::nan("")}) {
+    CHECK(axis_of({{0, -y}, {1, y}}) < 40);
+  }
 }
 
 TEST_CASE("a line goes from point to point, and is broken where a value is missing") {
