@@ -390,7 +390,7 @@ TEST_CASE("simulate --prove: what is refused, and runs that end early", "[slow]"
   CHECK(ended.status == 128 + 2);
   const auto frames = count_of(lines_of(folder.read("fresh/motion.txt")), "frame");
   CHECK(frames > 1);
-  check_folder(folder, "fresh", frames - 1);
+  check_folder(folder, "fresh", frames - 1, {"--allow-empty"});  // a busy machine makes few steps, far from contact
 }
 
 namespace {
