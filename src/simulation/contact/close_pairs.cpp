@@ -53,11 +53,10 @@ double bulge(const Quaternion& q0, const Quaternion& q1, double reach) noexcept 
 /// meet nothing.
 class Colliders::Sweep {
  public:
-  Sweep(const Colliders& colliders, const SceneMotion& motion, double margin)
-      : colliders_(colliders), motion_(motion), margin_(margin) {}
+  Sweep(const SceneMotion& motion, double margin) : motion_(motion), margin_(margin) {}
   /// @param margin  beside what rounding and the bulge of arcs, and the radius of the body, need
   Sweep(const Colliders& colliders, Index group, const SceneMotion& motion, double margin)
-      : colliders_(colliders), motion_(motion), group_(group), first_(colliders.before(group).vertices) {
+      : motion_(motion), group_(group), first_(colliders.before(group).vertices) {
     const RigidBody& body = colliders.bodies().bodies()[group - 1];
     const Pose &start = (*motion.start)[group - 1].pose, &end = (*motion.end)[group - 1].pose;
     points_ = body.points.data();
@@ -112,7 +111,6 @@ class Colliders::Sweep {
     return box;
   }
 
-  const Colliders& colliders_;
   const SceneMotion& motion_;
   Index group_ = kParticles, first_ = 0;
   const Vector3* points_ = nullptr;
@@ -167,7 +165,7 @@ bool Colliders::can_move(const Pair& pair) const noexcept {
 std::vector<Pair> Colliders::candidates(const VectorX& x0, const VectorX& x1, double margin) const {
   std::vector<Pair> pairs;
   const SceneMotion motion{&x0, &x1};
-  Sweep sweep(*this, motion, margin);
+  Sweep sweep(motion, margin);
   const bool thick = radii_.any();
   const auto boxes_of = [&](MeshElement sort, std::size_t count, const auto& number_of) {
     std::vector<MovingBox> boxes;
@@ -248,7 +246,7 @@ Colliders::Boxes Colliders::boxes_near(Sweep& sweep, MeshElement sort, const Mov
 std::vector<Pair> Colliders::body_candidates(const SceneMotion& motion, double margin) const {
   std::vector<Sweep> sweeps;  // by group, as `whole`
   sweeps.reserve(group_count());
-  sweeps.emplace_back(*this, motion, 0);
+  sweeps.emplace_back(motion, 0);
   std::vector<MovingBox> whole{
       sweeps[0].box_of(vertices_.data(), vertices_.size(), radii_.any() ? largest_radius() : 0)};
   for (Index group = 1; group < group_count(); ++group) {
