@@ -204,6 +204,7 @@ struct StepFuzzReport {
   std::uint64_t failures = 0;             ///< The number of steps with a wrong reply.
   std::size_t kinds_of_failure = 0;       ///< The number of findings, including those beyond StepFuzzOptions::findings.
   std::vector<StepFuzzFinding> findings;  ///< The findings, at most StepFuzzOptions::findings of them.
+  std::vector<std::string> left_out;      ///< What no mesh had, as the options say: "separations", "groups".
   bool stopped = false;                   ///< Whether StepFuzzOptions::stop ended the call.
 };
 

@@ -234,6 +234,10 @@ TEST_CASE("fuzzed steps: each sort of wrong reply is found") {
        [](StepReply& reply) { *reply.first_contact = std::min(*reply.first_contact, 1.0); }},
       {"first contact", FuzzFailure::malformed, [](StepReply& reply) { reply.first_contact = -0.5; }},
       {"candidates", FuzzFailure::missed, [](StepReply& reply) { reply.candidates->clear(); }},
+      {"candidates", FuzzFailure::malformed,
+       [](StepReply& reply) {
+         reply.candidates->push_back({Kind::edge_edge, 10'000'000, 3});
+       }},
       {"all", FuzzFailure::crash, [](StepReply&) { throw Error("planted"); }}};
   for (const Planted& planted : all) {
     CAPTURE(planted.question, name_of(planted.failure));

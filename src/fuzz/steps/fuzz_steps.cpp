@@ -171,6 +171,8 @@ StepFuzzReport fuzz_steps(const StepSolver& solver, const StepFuzzOptions& optio
   report.steps = outcome.scenes;
   report.failures = outcome.failures;
   report.kinds_of_failure = outcome.kinds_of_failure;
+  if (!options.separations) report.left_out.push_back("separations");
+  if (!options.groups) report.left_out.push_back("groups");
   report.stopped = outcome.stopped;
   for (const fuzz::StepFinding& finding : outcome.findings) report.findings.push_back(fuzz::finding_of(finding));
   return report;

@@ -123,7 +123,14 @@ class StepJudge {
 
  private:
   std::optional<SceneFailure> judge_candidates(std::vector<MeshPair> told) const {
-    for (MeshPair& pair : told) pair = with_ascending(pair);
+    for (MeshPair& pair : told) {
+      if (!has_pair(mesh_, pair.kind, pair.first, pair.second)) {
+        return SceneFailure{FuzzFailure::malformed, "candidates",
+                            std::string(name_of(pair.kind)) + " " + std::to_string(pair.first) + " " +
+                                std::to_string(pair.second) + " names an element that the mesh has not"};
+      }
+      pair = with_ascending(pair);
+    }
     std::sort(told.begin(), told.end());
     for (const MeshContact& one : exact_.contacts) {
       if (std::binary_search(told.begin(), told.end(), one.pair)) continue;
@@ -184,6 +191,16 @@ MeshPair with_ascending(const MeshPair& pair) noexcept {
   const bool of_one_sort = pair.kind == Kind::edge_edge || pair.kind == Kind::point_point;
   if (!of_one_sort || pair.first <= pair.second) return pair;
   return {pair.kind, pair.second, pair.first};
+}
+
+bool has_pair(const Mesh& mesh, Kind kind, std::uint64_t first, std::uint64_t second) {
+  const auto has = [&mesh](MeshElement sort, std::uint64_t number) {
+    return number < (sort == MeshElement::face   ? mesh.faces().size()
+                     : sort == MeshElement::edge ? mesh.edges().size()
+                                                 : mesh.vertex_count());
+  };
+  const auto& [one, other] = geometry::traits_of(kind);
+  return has(one.sort, first) && has(other.sort, second);
 }
 
 std::optional<SceneFailure> judge_step(const StepScene& scene, const StepSolver& solver,

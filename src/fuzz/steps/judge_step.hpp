@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstdint>
 #include <optional>
 
 #include <touchstone/fuzz.hpp>
@@ -13,6 +14,9 @@ namespace touchstone::fuzz {
 
 /// The pair whose elements, if they are of one sort, are in ascending order.
 MeshPair with_ascending(const MeshPair& pair) noexcept;
+
+/// Whether the mesh has the elements with these numbers, of the sorts that the kind is about.
+bool has_pair(const Mesh& mesh, Kind kind, std::uint64_t first, std::uint64_t second);
 
 /// Asks, and compares with `solve` by Method::exact for each pair of elements by itself.
 /// @return nothing when all of it is right

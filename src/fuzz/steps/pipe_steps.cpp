@@ -13,6 +13,7 @@
 
 #include "fuzz/processes/pipe_run.hpp"
 #include "fuzz/scenes/scene_search.hpp"
+#include "fuzz/steps/judge_step.hpp"
 #include "io/fail.hpp"
 #include "numbers/doubles/decimal_text.hpp"
 
@@ -65,10 +66,7 @@ MeshPair read_pair(const nlohmann::json& entry, const Mesh& mesh) {
   // A value that may be deep is not written again: that would take a call for each level.
   if (!kind) refuse("a candidate must be such as [\"edge-edge\", 0, 3]");
   const auto first = entry[1].get<std::uint64_t>(), second = entry[2].get<std::uint64_t>();
-  const std::size_t vertices = mesh.vertex_count(), edges = mesh.edges().size(), faces = mesh.faces().size();
-  const std::size_t firsts = *kind == Kind::edge_edge ? edges : vertices;
-  const std::size_t seconds = *kind == Kind::vertex_face ? faces : *kind == Kind::point_point ? vertices : edges;
-  if (first >= firsts || second >= seconds) {
+  if (!has_pair(mesh, *kind, first, second)) {
     refuse("the candidate " + io::in_quotes(entry.dump()) + " names an element that the mesh has not");
   }
   return {*kind, static_cast<MeshIndex>(first), static_cast<MeshIndex>(second)};
