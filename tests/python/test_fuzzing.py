@@ -203,6 +203,9 @@ def test_findings_of_steps_are_shrunk_and_true():
     ({"length": 1.0}, "crash"),
     ({}, "crash"),
     (True, "crash"),
+    (np.True_, "crash"),
+    ({"first_contact": np.False_}, "crash"),
+    ({"candidates": [("edge-edge", 10**7, 3)]}, "malformed"),
     ("free", "crash"),
 ])
 def test_replies_about_steps(reply, failure):
@@ -226,3 +229,40 @@ def test_step_fuzzing_says_what_is_wrong():
         ts.fuzz_steps(3)
     with pytest.raises(ZeroDivisionError):
         ts.fuzz_steps(lambda mesh, x0, x1: 1 // 0, 100)
+    # What is wrong with every reply is told at once, whoever finds it.
+    with pytest.raises(ValueError, match="a pair is a tuple"):
+        ts.fuzz_steps(lambda mesh, x0, x1: {"candidates": [["edge-edge", 0, 1]]}, 100)
+    with pytest.raises(ValueError, match="cases and seconds both"):
+        ts.fuzz_steps(no_pair, 13, seconds=1.0)
+    with pytest.raises(ValueError, match="no step was asked"):
+        ts.fuzz_steps(no_pair, seconds=1e-9)
+
+
+def test_a_report_says_what_was_left_out():
+    report = ts.fuzz_steps(exact_step, 13, groups=False, separations=False)
+    assert report.left_out == pickle.loads(pickle.dumps(report)).left_out == ["separations", "groups"]
+    assert repr(report).endswith("0 kinds; separations were left out; groups were left out>")
+
+
+def test_a_damaged_pickle_of_a_step_is_refused():
+    """Positions that do not fit to the mesh would be read behind their ends."""
+    found = ts.fuzz_steps(no_pair, 130, findings=1).findings[0]
+    count = found.x0.size
+    whole = found.__reduce_ex__(4)
+    damaged = 0
+
+    def without(value):
+        nonlocal damaged
+        if isinstance(value, bytes):
+            one = np.ascontiguousarray(found.x0).tobytes()
+            at = value.find(count.to_bytes(8, "little") + one)
+            if at >= 0:
+                damaged += 1
+                return value[:at] + bytes(8) + value[at + 8 + len(one):]
+        return tuple(map(without, value)) if isinstance(value, tuple) else value
+
+    changed = without(whole)
+    assert damaged == 1
+    with pytest.raises(ValueError, match="the pickle is damaged"):
+        made = changed[0](*changed[1])
+        made.__setstate__(changed[2])

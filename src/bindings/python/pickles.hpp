@@ -33,6 +33,7 @@ class Packer {
   void operator()(Values&... values) {
     (pack(values), ...);
   }
+  static void check(bool /*fits*/) {}
   std::string bytes() && { return std::move(bytes_); }
 
  private:
@@ -76,8 +77,9 @@ class Unpacker {
   void operator()(Values&... values) {
     (unpack(values), ...);
   }
-  void finish() const {
-    if (!bytes_.empty()) fail();
+  void finish() const { check(bytes_.empty()); }
+  static void check(bool fits) {
+    if (!fits) fail();
   }
 
  private:
@@ -203,10 +205,12 @@ void members(Archive& archive, Mesh& x) {
 template <class Archive>
 void members(Archive& archive, StepFuzzFinding& x) {
   archive(x.failure, x.question, x.detail, x.count, x.mesh, x.x0, x.x1, x.case_name);
+  const std::size_t coordinates = 3 * x.mesh.vertex_count();
+  archive.check(x.x0.size() == coordinates && x.x1.size() == coordinates);
 }
 template <class Archive>
 void members(Archive& archive, StepFuzzReport& x) {
-  archive(x.steps, x.failures, x.kinds_of_failure, x.findings, x.stopped);
+  archive(x.steps, x.failures, x.kinds_of_failure, x.findings, x.left_out, x.stopped);
 }
 
 template <class Value>

@@ -28,9 +28,14 @@ class AskedFunction {
     if (ending_) throw std::runtime_error("the run has ended");
     const py::gil_scoped_acquire locked;
     try {
-      const auto reply = call(solver_);
-      answered_ = true;
-      return reply;
+      try {
+        const auto reply = call(solver_);
+        answered_ = true;
+        return reply;
+      } catch (const py::builtin_exception& error) {  // of the words here about a reply
+        error.set_error();
+        throw py::error_already_set();
+      }
     } catch (py::error_already_set& error) {
       if (!error.matches(PyExc_Exception) || fails_from_the_start(error.what())) {
         ending_ = std::current_exception();
@@ -66,10 +71,14 @@ class AskedFunction {
   std::string first_text_;
 };
 
+inline bool is_bool(py::handle value) {
+  return PyBool_Check(value.ptr()) || py::isinstance(value, py::module_::import("numpy").attr("bool_"));
+}
+
 /// A number of a reply. @param refuse  throws, for what is no number
 template <class Refuse>
 double reply_number(py::handle value, const Refuse& refuse) {
-  if (PyBool_Check(value.ptr()) || py::isinstance<py::array>(value)) refuse();
+  if (is_bool(value) || py::isinstance<py::array>(value)) refuse();
   const double number = PyFloat_AsDouble(value.ptr());
   if (number == -1 && PyErr_Occurred() != nullptr) {
     if (PyErr_ExceptionMatches(PyExc_TypeError) == 0) throw py::error_already_set();

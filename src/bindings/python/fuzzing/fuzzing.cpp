@@ -34,10 +34,6 @@ py::array_t<double> corners_array(Kind kind, const std::array<Vec3, 4>& corners)
   return array;
 }
 
-bool is_bool(const py::object& value) {
-  return PyBool_Check(value.ptr()) || py::isinstance(value, py::module_::import("numpy").attr("bool_"));
-}
-
 /// @throws TypeError  always: the solver's reply is none
 [[noreturn]] void refuse(const py::object& reply) {
   PyErr_Format(
@@ -50,7 +46,6 @@ bool is_bool(const py::object& value) {
 
 /// @param reply  what has the time
 double time_of(const py::object& value, const py::object& reply) {
-  if (is_bool(value)) refuse(reply);
   return reply_number(value, [&reply] { refuse(reply); });
 }
 

@@ -99,6 +99,8 @@ StepFuzzReport fuzz_steps_of(const py::object& solver, py::handle cases, py::han
         options);
   });
   asked->rethrow();
+  if (report.steps == 0 && !report.stopped)
+    throw py::value_error("no step was asked in this time: give more seconds, or cases");
   return report;
 }
 
@@ -132,10 +134,13 @@ void define_step_fuzzing(py::module_& module) {
   report.def_readonly("steps", &StepFuzzReport::steps, "how many steps were asked and judged")
       .def_readonly("failures", &StepFuzzReport::failures, "how many of them had a wrong reply")
       .def_readonly("kinds_of_failure", &StepFuzzReport::kinds_of_failure, "how many findings there are in all")
+      .def_readonly("left_out", &StepFuzzReport::left_out, "what meshes did not have: separations, groups")
       .def_readonly("findings", &StepFuzzReport::findings, "a list of StepFinding, worst first")
       .def("__repr__", [](const StepFuzzReport& found) {
-        return "<StepReport: " + std::to_string(found.steps) + " steps, " + std::to_string(found.failures) +
-               " failures of " + std::to_string(found.kinds_of_failure) + " kinds>";
+        std::string text = "<StepReport: " + std::to_string(found.steps) + " steps, " + std::to_string(found.failures) +
+                           " failures of " + std::to_string(found.kinds_of_failure) + " kinds";
+        for (const std::string& what : found.left_out) text += "; " + what + " were left out";
+        return text + ">";
       });
   module.def("fuzz_steps", &fuzz_steps_of);
 }

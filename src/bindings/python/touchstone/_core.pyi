@@ -327,6 +327,7 @@ class StepReport:
     steps: int
     failures: int
     kinds_of_failure: int
+    left_out: List[str]
     findings: List[StepFinding]
 
 def judge(truth: Answers, contact: _Bools, toi: _Doubles, late_ulps: Optional[int], late_fraction: Optional[float],

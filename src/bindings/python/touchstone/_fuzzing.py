@@ -98,7 +98,7 @@ def fuzz(solver: Callable[[str, NDArray[np.float64], NDArray[np.float64]], Any],
 
 
 @hinting
-def fuzz_steps(solver: Callable[[Mesh, NDArray[np.float64], NDArray[np.float64]], Any], cases: int = 10_000, *,
+def fuzz_steps(solver: Callable[[Mesh, NDArray[np.float64], NDArray[np.float64]], Any], cases: Optional[int] = None, *,
                seconds: Optional[float] = None, families: Optional[Iterable[str]] = None, seed: int = 1,
                separations: bool = True, groups: bool = True, may_end_in_contact: bool = False, stall: float = 1e-3,
                early_fraction: Optional[float] = None, late_fraction: float = 0.0, twice: bool = True,
@@ -111,8 +111,8 @@ def fuzz_steps(solver: Callable[[Mesh, NDArray[np.float64], NDArray[np.float64]]
                  that is free of contact; or a dict with one or more of 'free', that number; 'first_contact', the time
                  of the first contact, or None for no contact; and 'candidates', the pairs of its broad phase as tuples
                  (kind, first, second). Exceptions are as for `fuzz`
-    cases        how many steps to make, from all families in turn
-    seconds      when it is given, the search ends after this time
+    cases        how many steps to make, from all families in turn; 10,000 by default
+    seconds      in place of cases: the search ends after this time
     families     the families of steps, as `touchstone fuzz-steps --help` lists them; all by default
     seed         the steps are the same for the same seed
     separations  whether meshes may have a separation
@@ -124,9 +124,10 @@ def fuzz_steps(solver: Callable[[Mesh, NDArray[np.float64], NDArray[np.float64]]
     twice        whether the function is asked twice, and must say the same
     findings     how many findings to shrink and return
 
-    Returns a StepReport with the attributes steps, failures, kinds_of_failure and findings. A StepFinding has failure,
-    question, detail, count, mesh, x0, x1 and case_name; it prints itself, and its `page()` shows the step. The function
-    runs on another thread than the caller's. Raises what `fuzz` raises.
+    Returns a StepReport with the attributes steps, failures, kinds_of_failure, left_out (what no mesh had) and
+    findings. A StepFinding has failure, question, detail, count, mesh, x0, x1 and case_name; it prints itself, and its
+    `page()` shows the step. The function runs on another thread than the caller's. Raises what `fuzz` raises, and
+    ValueError where the time was too short for a step.
 
     >>> import touchstone
     >>> def stale(mesh, x0, x1):                         # a tree that is not refitted: its pairs are those of the start
@@ -135,6 +136,10 @@ def fuzz_steps(solver: Callable[[Mesh, NDArray[np.float64], NDArray[np.float64]]
     >>> report.findings[0].failure, report.findings[0].question
     ('missed', 'candidates')
     """
+    if cases is not None and seconds is not None:
+        raise ValueError("cases and seconds both end the search: give one of them")
+    if cases is None:
+        cases = 10_000 if seconds is None else _MOST
     return _core.fuzz_steps(solver, _whole(cases, "cases", 1), seconds, _words(families, "families"),
                             _whole(seed, "seed"), bool(separations), bool(groups), bool(may_end_in_contact), stall,
                             early_fraction, late_fraction, bool(twice), _whole(findings, "findings"))
