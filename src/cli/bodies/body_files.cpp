@@ -106,6 +106,11 @@ void BodyFiles::set_rules(const sequence::PartOptions& options) {
   }
   const std::string option = options.only_between.empty() ? "--ignore" : "--only-between";
   rules_ = sequence::part_rules_of(scene, options, option, "bodies");
+  const auto named = static_cast<std::size_t>(
+      std::count_if(rules_.pairs.begin(), rules_.pairs.end(), [](const auto& pair) { return pair[0] != pair[1]; }));
+  const bool are_asked = rules_.rule == GroupRule::only_listed;
+  if (named == (are_asked ? 0 : names_.size() * (names_.size() - 1) / 2))
+    throw Error("--ignore and --only-between leave no pair of bodies to ask about");
   CollisionRules rules = sequence::collision_rules(scene, rules_, option);
   if (rules.groups.empty()) return;
   bodies_.rules = {{}, std::move(rules.groups), rules.group_rule, std::move(rules.group_pairs)};
