@@ -37,7 +37,7 @@ class Scale {
   }
 
   double at(double value) const {
-    const double x = logarithmic_ ? std::log10(value) : value;
+    const double x = logarithmic_ ? std::log10(value) : std::clamp(value, low_, high_);
     return from_ + (x - low_) / (high_ - low_) * (to_ - from_);
   }
   const Ticks& ticks() const { return ticks_; }
@@ -63,7 +63,10 @@ class Scale {
   /// Steps of 1, 2 or 5 times a power of ten, about six of them.
   static Scale even_steps(double least, double most, double from, double to) {
     // So few steps from 0 that each has another number, also where all values are equal but for their rounding.
-    const double size = std::max({std::abs(least), std::abs(most), 1e-290});
+    constexpr double kLargest = 3e307;  // the difference of two ends, a step farther out, is a double
+    least = std::clamp(least, -kLargest, kLargest), most = std::clamp(most, -kLargest, kLargest);
+    const double largest = std::max(std::abs(least), std::abs(most));
+    const double size = largest > 0 ? std::max(largest, 1e-290) : 1;
     if (!(most - least > 1e-9 * size)) most = least + size;
     const double power = std::pow(10.0, std::floor(std::log10((most - least) / 3)));
     const double step = power * ((most - least) / power > 15 ? 5 : (most - least) / power > 6 ? 2 : 1);
@@ -136,8 +139,12 @@ class ChartPainter {
       std::string path;
       bool broken = true;
       for (const ChartPoint& point : series.points) {
-        if (point.y) path += fmt::format("{}{:.1f} {:.1f}", broken ? "M" : "L", across_.at(point.x), height_of(point));
-        broken = !point.y;
+        if (is_drawn(point)) {
+          // A way of no length, so that a point alone is seen.
+          path += fmt::format("{0}{1:.1f} {2:.1f}{3}", broken ? "M" : "L", across_.at(point.x), height_of(point),
+                              broken ? "h0" : "");
+        }
+        broken = !is_drawn(point);
       }
       text += fmt::format("<path {} d=\"{}\"/>\n", look_of(series, "line"), path);
     }
@@ -149,7 +156,7 @@ class ChartPainter {
     for (const ChartSeries& series : chart_.series) {
       if (!series.marks || series.own != own) continue;
       for (const ChartPoint& point : series.points) {
-        if (!point.y) continue;
+        if (!is_drawn(point)) continue;
         text += fmt::format("<path {} d=\"{}\"", look_of(series, "dot"),
                             shape_at(series, across_.at(point.x), height_of(point)));
         if (!point.row.empty()) text += fmt::format(" tabindex=\"0\" data-row=\"{}\"", escaped(point.row));
@@ -164,14 +171,14 @@ class ChartPainter {
     std::vector<std::pair<double, double>> taken;
     for (const ChartSeries& series : chart_.series) {
       for (const ChartPoint& point : series.points) {
-        if (series.marks && point.y) taken.emplace_back(across_.at(point.x), height_of(point));
+        if (series.marks && is_drawn(point)) taken.emplace_back(across_.at(point.x), height_of(point));
       }
     }
     std::string text;
     for (const bool own : {true, false}) {
       for (const ChartSeries& series : chart_.series) {
         for (const ChartPoint& point : series.points) {
-          if (series.own == own && point.y && !point.label.empty()) text += label_of(point, taken);
+          if (series.own == own && is_drawn(point) && !point.label.empty()) text += label_of(point, taken);
         }
       }
     }
@@ -179,6 +186,8 @@ class ChartPainter {
   }
 
  private:
+  static bool is_drawn(const ChartPoint& point) { return point.y && std::isfinite(*point.y); }
+
   bool has_zero() const {
     return chart_.y.logarithmic &&
            std::any_of(chart_.series.begin(), chart_.series.end(), [](const ChartSeries& series) {
@@ -204,7 +213,7 @@ class ChartPainter {
     double least = std::numeric_limits<double>::infinity(), most = -least;
     for (const ChartSeries& series : chart_.series) {
       for (const ChartPoint& point : series.points) {
-        if (!point.y || (chart_.y.logarithmic && *point.y == 0)) continue;
+        if (!is_drawn(point) || (chart_.y.logarithmic && *point.y == 0)) continue;
         least = std::min(least, *point.y);
         most = std::max(most, *point.y);
       }

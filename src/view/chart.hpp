@@ -11,7 +11,7 @@ namespace touchstone::view {
 /// Strings are text.
 struct ChartPoint {
   double x = 0;
-  std::optional<double> y;  ///< nothing: there is no point, and the line is broken
+  std::optional<double> y;  ///< nothing, or no finite number: there is no point, and the line is broken
   std::string label = {};   ///< beside the point, where there is room
   std::string told = {};    ///< when the pointer rests on it
   std::string row = {};     ///< the id of the table's row, on a page

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "cli/simulate/energies_picture.hpp"
 
+#include <fmt/format.h>
+
+#include <string>
 #include <utility>
 
 #include "view/chart.hpp"
@@ -57,7 +60,7 @@ void EnergiesPicture::add(double time, const StepValues& values) {
 }
 
 std::string EnergiesPicture::svg() const {
-  const auto chart = [&](const char* title, const char* axis, const auto& names, std::size_t first) {
+  const auto chart = [&](const std::string& title, const char* axis, const auto& names, std::size_t first) {
     view::Chart made{title, {"time [s]"}, {axis}, {}};
     for (std::size_t i = 0; i < names.size(); ++i) {
       view::ChartSeries series;
@@ -69,9 +72,11 @@ std::string EnergiesPicture::svg() const {
     }
     return made;
   };
-  return view::chart_file("Energies and contacts", "",
-                          {chart("Energies", "J", kEnergyNames, 0),
-                           chart("Pairs since the step before", "number", kCountNames, kEnergyNames.size())});
+  const std::string since = stride_ == 1 ? "Pairs since the step before"
+                                         : fmt::format("Pairs since the point before, in up to {} steps", stride_);
+  return view::chart_file(
+      "Energies and contacts", "",
+      {chart("Energies", "J", kEnergyNames, 0), chart(since, "number", kCountNames, kEnergyNames.size())});
 }
 
 }  // namespace touchstone::cli

@@ -12,7 +12,7 @@ namespace touchstone::cli {
 /// Below --out and --queries.
 inline const std::filesystem::path kFrameFolder = "frames";
 inline constexpr const char* kFrameIndex = "frames.vtk.series";
-inline constexpr const char* kEnergies = "energies";  ///< .csv, .gp, .svg and .png
+inline constexpr const char* kEnergies = "energies";  ///< .csv and .svg
 /// "candidates.csv", and "candidates-0x1p-7.csv" for pairs that keep a distance.
 std::string candidates_name(double separation);
 std::string frame_name(std::uint64_t step);

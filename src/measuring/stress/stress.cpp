@@ -67,9 +67,15 @@ report::Picture picture_of(const Table& table) {
     if (result.asked < kFewest) return std::nullopt;
     return 100 * result.wrong_fraction();
   };
+  bool withheld = false;
+  for (const report::SetResults& setting : table.settings) {
+    for (const report::Result& result : setting.results) withheld |= result.asked > 0 && result.asked < kFewest;
+  }
+  const std::string subtitle =
+      withheld ? fmt::format("wrong answers are drawn from {} queries on: some methods were asked fewer", kFewest) : "";
   const std::string name = picture_name(table);
   return {name, view::chart_file(
-                    "Stability: " + table.settings.front().set.name, "",
+                    "Stability: " + table.settings.front().set.name, subtitle,
                     {report::chart_of_settings(table.settings, wrong, wrong_of),
                      report::chart_of_settings(table.settings, time, [](const report::Result& r) { return r.mean; })})};
 }

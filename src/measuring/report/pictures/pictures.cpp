@@ -43,8 +43,8 @@ ValueOf ulps_of(std::int64_t TimeError::*size) {
 }
 
 std::string subtitle(const SetResults& set) {
-  return fmt::format("{} queries, {} contacts; numbers at points: tolerances; dashed line: no error", set.set.size(),
-                     set.set.contacts());
+  return fmt::format("{} queries, {} contacts; numbers at points: tolerances; at a dashed line 0: no error",
+                     set.set.size(), set.set.contacts());
 }
 
 Picture overview_picture(const SetResults& set) {
