@@ -46,7 +46,6 @@ Run run_program(const std::vector<std::string>& arguments, const RunOptions& opt
   if (child == 0) {
     if (options.own_group && ::setpgid(0, 0) != 0) ::_exit(126);
     if (!options.folder.empty() && ::chdir(options.folder.c_str()) != 0) ::_exit(126);
-    if (!options.search_path.empty()) ::setenv("PATH", options.search_path.c_str(), 1);
     if (options.address_space > 0) {
       const rlimit limit{options.address_space, options.address_space};
       if (::setrlimit(RLIMIT_AS, &limit) != 0) ::_exit(126);

@@ -24,7 +24,6 @@ struct RunOptions {
   std::string standard_input = {};   ///< a file; empty: the test's own
   std::string standard_output = {};  ///< a file or device to write to; empty: kept in Run::out
   bool closed_pipe = false;          ///< standard output is a pipe whose reader has gone
-  std::string search_path = {};      ///< PATH; empty: the test's own
   std::uint64_t address_space = 0;   ///< bytes of address space that it gets; 0: no limit
   std::uint64_t file_size = 0;       ///< bytes of the largest file that it may write; 0: no limit
   double interrupt_after = 0;        ///< seconds until it gets SIGINT; 0: never

@@ -14,7 +14,6 @@
 #include "baselines/curved_baseline.hpp"
 #include "cli/run_program.hpp"
 #include "support/catch.hpp"
-#include "support/skip.hpp"
 
 using namespace touchstone;
 using namespace touchstone::tests;

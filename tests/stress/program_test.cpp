@@ -12,7 +12,6 @@
 #include "cli/run_program.hpp"
 #include "stress/stress.hpp"
 #include "support/catch.hpp"
-#include "support/skip.hpp"
 
 using namespace touchstone;
 using namespace touchstone::tests;
