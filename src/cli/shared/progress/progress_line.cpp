@@ -16,7 +16,7 @@ constexpr const char* kWipe = "\r\033[K";  // to the start of the line, and eras
 
 }  // namespace
 
-ProgressLine::ProgressLine() : visible_(::isatty(STDERR_FILENO) == 1) {}
+ProgressLine::ProgressLine(Clock::duration pause) : pause_(pause), visible_(::isatty(STDERR_FILENO) == 1) {}
 
 ProgressLine::~ProgressLine() { wipe(); }
 
@@ -26,9 +26,8 @@ void ProgressLine::wipe() {
 }
 
 void ProgressLine::draw(const std::function<std::string()>& text) {
-  constexpr auto kPause = std::chrono::milliseconds(50);
   const auto now = Clock::now();
-  if (!visible_ || now - last_drawn_ < kPause) return;
+  if (!visible_ || now - last_drawn_ < pause_) return;
   last_drawn_ = now;
   drawn_ = true;
   print_error(kWipe + text());

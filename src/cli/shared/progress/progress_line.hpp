@@ -11,13 +11,16 @@ namespace touchstone::cli {
 
 class ProgressLine {
  public:
-  ProgressLine();
+  using Clock = std::chrono::steady_clock;
+
+  /// It is drawn once in `pause` at most, and not before the first of them is over.
+  explicit ProgressLine(Clock::duration pause = std::chrono::milliseconds(50));
   ~ProgressLine();  ///< wipes the line
   ProgressLine(const ProgressLine&) = delete;
   ProgressLine& operator=(const ProgressLine&) = delete;
 
-  /// Draws `text()` in place of the line, twenty times a second at most. `text` is called only when the line is drawn.
-  /// Call this from one thread at a time.
+  /// Draws `text()` in place of the line, unless it is too early. `text` is called only when the line is drawn. Call
+  /// this from one thread at a time.
   void draw(const std::function<std::string()>& text);
 
   /// Wipes the line until it is drawn again, so that other lines may follow.
@@ -27,8 +30,7 @@ class ProgressLine {
   bool visible() const noexcept { return visible_; }  ///< whether standard error is a terminal
 
  private:
-  using Clock = std::chrono::steady_clock;
-
+  Clock::duration pause_;
   bool visible_;
   bool drawn_ = false;
   Clock::time_point start_ = Clock::now();

@@ -8,7 +8,7 @@
 
 namespace touchstone::cli {
 
-WaitingLine::WaitingLine() {
+WaitingLine::WaitingLine(Clock::duration patience) : patience_(patience) {
   if (!line_.visible()) return;
   try {
     thread_ = std::thread([this] { draw(); });
@@ -41,8 +41,11 @@ void WaitingLine::draw() {
   constexpr auto kPause = std::chrono::milliseconds(250);
   std::unique_lock lock(mutex_);
   while (!changed_.wait_for(lock, kPause, [this] { return finished_; })) {
-    const auto seconds = std::chrono::duration_cast<std::chrono::seconds>(Clock::now() - since_).count();
-    if (!text_.empty() && seconds >= 1) line_.draw([&] { return fmt::format("{}, {} s", text_, seconds); });
+    const Clock::duration waited = Clock::now() - since_;
+    if (text_.empty() || waited < patience_) continue;
+    line_.draw([&] {
+      return fmt::format("{}, {} s", text_, std::chrono::duration_cast<std::chrono::seconds>(waited).count());
+    });
   }
 }
 

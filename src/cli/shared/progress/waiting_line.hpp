@@ -11,11 +11,13 @@
 
 namespace touchstone::cli {
 
-/// While something takes longer than a second, a thread draws the line "TEXT, 12 s". Where standard error is no
+/// While something takes longer than `patience`, a thread draws the line "TEXT, 12 s". Where standard error is no
 /// terminal, or no thread can be started, nothing is drawn. Other lines are written only between end() and begin().
 class WaitingLine {
  public:
-  WaitingLine();
+  using Clock = std::chrono::steady_clock;
+
+  explicit WaitingLine(Clock::duration patience = std::chrono::seconds(1));
   ~WaitingLine();
   WaitingLine(const WaitingLine&) = delete;
   WaitingLine& operator=(const WaitingLine&) = delete;
@@ -27,10 +29,9 @@ class WaitingLine {
   void end();
 
  private:
-  using Clock = std::chrono::steady_clock;
-
   void draw();
 
+  Clock::duration patience_;
   std::mutex mutex_;  ///< of all below but the thread
   std::condition_variable changed_;
   ProgressLine line_;
