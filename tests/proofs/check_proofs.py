@@ -43,7 +43,7 @@ CURVED_NUMBER = re.compile(rb"(-?)(?:0[xX](?=\.?[0-9A-Fa-f])([0-9A-Fa-f]*)(?:\.(
                            rb"(?=\.?[0-9])([0-9]*)(?:\.([0-9]*))?(?:[eE]([+-]?[0-9]+))?)")
 
 NONE_NEAR = "no two elements that are asked about come near enough to need a proof"
-STARTS = "; whether a first frame intersects itself was not asked"
+STARTS = "; not asked: whether a first frame intersects itself, and what lines above leave out"
 
 # Newer versions of Python refuse decimal integers of more than 4,300 digits unless told otherwise.
 if hasattr(sys, "set_int_max_str_digits"):

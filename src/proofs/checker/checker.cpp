@@ -21,7 +21,8 @@ class FullChecker : public Checker {
     const std::string report = run(files, may_be_empty);
     if (!frames_.empty() && (motions_ != 1 || files.size() != 1))
       throw BadInput("--frames goes with one motion file and nothing else");
-    return report + (motions_ > 0 ? "; whether a first frame intersects itself was not asked\n" : "\n");
+    const char* const left_out = "; not asked: whether a first frame intersects itself, and what lines above leave out";
+    return report + (motions_ > 0 ? left_out : "") + "\n";
   }
 
  private:

@@ -221,7 +221,7 @@ let run allow_empty parts proofs files =
   let answers = Printf.sprintf "%s, %d without contact" (counted contacts "contact" "contacts") (queries - contacts) in
   print_string (Buffer.contents report);
   Printf.printf "%s checked: %s%s\n%!" (counted queries "query" "queries") (if queries > 0 then answers else none_near)
-    (if motions > 0 then "; whether a first frame intersects itself was not asked" else "")
+    (if motions > 0 then "; not asked: whether a first frame intersects itself, and what lines above leave out" else "")
 
 (* The program with its arguments. @returns its exit status *)
 let main arguments =
