@@ -103,6 +103,7 @@ TEST_CASE("bodies --prove: the checker names bodies that are not asked about, an
         BarAndWall::quarter_turn("1.625") + "0,block,-1.3,-1.3,0,1,0,0,0\n2,block,-1.3,-1.3,0,1,0,0,0\n", more);
     CAPTURE(option, made.out, made.err);
     CHECK(made.status == 0);  // the bar meets the wall, which is not asked about
+    CHECK(occurrences(made.out + made.err, ": no contact; pairs that were left out have no proof\n") == 1);
     const std::string proofs = scene.folder.read(option.substr(2) + "/proofs.txt");
     const Run checked = run_checker(folder + "/proofs.txt", {folder + "/motion.txt"});
     CAPTURE(checked.out, checked.err);

@@ -146,8 +146,10 @@ std::string MotionProofs::summary() const {
   const std::string answer = pairs_ == 0      ? "no two elements that are asked about come near enough to need a proof"
                              : contacts_ == 0 ? "no contact"
                                               : counted(contacts_, "contact");
-  return fmt::format("{} in {} proved in {}: {}\n", counted(pairs_, "pair"), counted(frames_ - 1, "step"),
-                     io::printable(folder_.string()), answer);
+  const bool are_all_asked = prover_.elements().groups.ignored.empty();
+  return fmt::format("{} in {} proved in {}: {}{}\n", counted(pairs_, "pair"), counted(frames_ - 1, "step"),
+                     io::printable(folder_.string()), answer,
+                     are_all_asked ? "" : "; pairs that were left out have no proof");
 }
 
 }  // namespace touchstone::cli

@@ -43,7 +43,8 @@ class MotionProofs {
   /// Puts both files in their places.
   void commit();
 
-  /// "1,024 pairs in 12 steps proved in FOLDER: no contact", a line. Without a pair it says why none needs a proof.
+  /// "1,024 pairs in 12 steps proved in FOLDER: no contact", a line. Without a pair it says why none needs a proof, and
+  /// with rules that leave pairs out, that these have none.
   std::string summary() const;
 
  private:
