@@ -63,7 +63,7 @@ std::string report_page(const report::Report& report) {
                              report::separation_arguments(report.size.separation));
   all.summary = without_marks(report::summary(report)) +
                 " Point at a method to see its numbers. A click on a column's name sorts by it.";
-  all.how_to_read = without_marks(report::kHowToRead);
+  all.how_to_read = without_marks(report::how_to_read(report));
   all.time_axis = "us a query";
   all.panels = {{"Wrong answers: missed, phantom or late", "% of the queries"}, {"Greatest time error", "ulps"}};
   all.columns = {"queries", "mean us", "missed", "phantom", "late", "time error, median ulps", "earliest", "latest"};

@@ -17,6 +17,18 @@
 namespace touchstone::report {
 namespace {
 
+constexpr const char* kHowToRead =
+    "Every answer is judged by exact arithmetic. *Missed*: contact denied though there is one, as a share of the "
+    "contacts. *Phantom*: contact claimed though there is none, as a share of the queries without contact. *Late*: "
+    "contact claimed rightly, but the time lies after the exact one, as a share of the contacts; stepping there would "
+    "pass through. The *time error* is the number of doubles from the exact time (the greatest double that is not "
+    "after it) to the claimed one, over the contacts that are claimed: negative is early and safe, positive is late. "
+    "An answer is *wrong* when it is missed, phantom or late; a method has "
+    "*errors* when some answer is wrong or some time is not the exact one.\n\n"
+    "*Mean us* is processor time of one thread: the median of several passes over all the queries asked, in which the "
+    "methods take turns. A method that is too slow for a whole set is asked the first queries of it only (the sets are "
+    "in random order), and the table says how many: `130 of 4000`.\n\n";
+
 std::string picture(const std::string& name, const std::string& what) {
   return fmt::format("![{}](plots/{}.svg)\n\n", what, name);
 }
@@ -116,8 +128,15 @@ std::string scale_section(const Report& report) {
          });
 }
 
-std::string methods_section(const Report& report) {
-  std::string text = "## Methods\n\n";
+constexpr const char* kAboutSeparation =
+    "Contact is a distance of at most the separation. The boxes of the candidates are grown by it. The scale of the "
+    "coordinates multiplies it, too.\n\n";
+
+}  // namespace
+
+std::string how_to_read(const Report& report) {
+  std::string text = kHowToRead;
+  text += "The methods:\n\n";
   std::vector<std::string> named;
   for (const auto* contestants : {&report.contestants, &report.curved_contestants}) {
     for (const Contestant& contestant : *contestants) {
@@ -129,24 +148,6 @@ std::string methods_section(const Report& report) {
   }
   return text + "\n";
 }
-
-constexpr const char* kAboutSeparation =
-    "Contact is a distance of at most the separation. The boxes of the candidates are grown by it. The scale of the "
-    "coordinates multiplies it, too.\n\n";
-
-}  // namespace
-
-const char* const kHowToRead =
-    "Every answer is judged by exact arithmetic. *Missed*: contact denied though there is one, as a share of the "
-    "contacts. *Phantom*: contact claimed though there is none, as a share of the queries without contact. *Late*: "
-    "contact claimed rightly, but the time lies after the exact one, as a share of the contacts; stepping there would "
-    "pass through. The *time error* is the number of doubles from the exact time (the greatest double that is not "
-    "after it) to the claimed one, over the contacts that are claimed: negative is early and safe, positive is late. "
-    "An answer is *wrong* when it is missed, phantom or late; a method has "
-    "*errors* when some answer is wrong or some time is not the exact one.\n\n"
-    "*Mean us* is processor time of one thread: the median of several passes over all the queries asked, in which the "
-    "methods take turns. A method that is too slow for a whole set is asked the first queries of it only (the sets are "
-    "in random order), and the table says how many: `130 of 4000`.\n\n";
 
 std::string summary(const Report& report) {
   std::size_t asked = 0, wrong = 0, on_front = 0, left_of_all = 0;
@@ -179,7 +180,7 @@ std::string markdown_text(const Report& report) {
   text += picture(kOverviewPicture, "Error against run time on " + report.sets.front().set.name);
   for (const std::string& remark : report.remarks) text += remark + "\n\n";
   text += "## How to read it\n\n";
-  text += kHowToRead + methods_section(report);
+  text += how_to_read(report);
   for (const SetResults& set : report.sets) text += set_section(set);
   return text + level_section(report) + scale_section(report) + scene_runs_section(report.scene_runs);
 }

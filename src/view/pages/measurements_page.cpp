@@ -54,8 +54,9 @@ Page measurements_page(const Measurements& measurements) {
   page.subtitle = measurements.subtitle;
   page.sort = "measurements";
   page.styles = {"chart.css", "measurements.css"};
-  page.body = "<main>\n<p>" + escaped(measurements.summary) + "</p>\n<details><summary>What the words mean</summary>" +
-              "<p class=\"wrapped\">" + escaped(measurements.how_to_read) + "</p></details>\n";
+  page.body = "<main>\n<p>" + escaped(measurements.summary) +
+              "</p>\n<details><summary>What the words and the methods mean</summary>" + "<p class=\"wrapped\">" +
+              escaped(measurements.how_to_read) + "</p></details>\n";
   for (std::size_t i = 0; i < measurements.sets.size(); ++i) {
     const MeasuredSet& set = measurements.sets[i];
     page.body += "<section class=\"set\">\n<h2>" + escaped(set.name) + "</h2>\n<p>" + escaped(set.about) +
