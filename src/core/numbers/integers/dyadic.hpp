@@ -6,11 +6,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "numbers/integers/limb_scratch.hpp"
+
 namespace touchstone::numbers {
 
 class Dyadic {
  public:
-  using Limb = unsigned long;  ///< GMP's, of 64 bits
+  using Limb = LimbScratch::Limb;
 
   Dyadic() noexcept : size_(0), exponent_(0), capacity_(kInline) {}
   explicit Dyadic(int value) noexcept;

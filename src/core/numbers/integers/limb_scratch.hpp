@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <type_traits>
 
 namespace touchstone::numbers {
 
@@ -12,8 +13,8 @@ namespace touchstone::numbers {
 /// another thread.
 class LimbScratch {
  public:
-  using Limb = unsigned long;
-  static_assert(sizeof(Limb) == 8, "long must have 64 bits, as GMP's limbs do");
+  /// GMP's, of 64 bits: where a long has fewer, as on WebAssembly, GMP must be built for limbs of the longer type.
+  using Limb = std::conditional_t<sizeof(unsigned long) == 8, unsigned long, unsigned long long>;
   static constexpr int kBlockLimbs = 48;  ///< 3,072 bits
   static constexpr int kBlocks = 64;
 

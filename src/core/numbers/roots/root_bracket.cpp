@@ -27,7 +27,7 @@ class Wide {
 
   int sign() const { return (m_ > 0) - (m_ < 0); }
   /// 2^(log2() - 1) <= |x| < 2^log2(); for zero less than any of the numbers here.
-  long log2() const { return m_ == 0 ? -(1L << 40) : e_; }
+  long log2() const { return m_ == 0 ? -(1L << 30) : e_; }
   Exact exact() const { return Exact(m_) * power_of_two(e_); }
   /// With so many significant bits, 1 <= bits <= 53.
   Wide rounded(long bits) const {
