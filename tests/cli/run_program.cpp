@@ -6,8 +6,11 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <chrono>
 #include <csignal>
+#include <cstdint>
 #include <cstdlib>
+#include <fstream>
 #include <sstream>
 #include <stdexcept>
 #include <thread>
@@ -28,6 +31,21 @@ int closed_pipe() {
   return ends[1];
 }
 
+/// Waits until a program has set its own answer to SIGINT, for a minute at most: before that, the signal's time would
+/// say how busy the machine is. Where there is no /proc, nothing is waited for.
+void wait_for_its_handler(pid_t program) {
+  for (int i = 0; i < 6000; ++i) {
+    std::ifstream facts("/proc/" + std::to_string(program) + "/status");
+    std::string word;
+    while (facts >> word && word != "SigCgt:") {
+      if (word == "State:" && facts >> word && word == "Z") return;  // it has ended
+    }
+    std::uint64_t caught = 0;
+    if (!(facts >> std::hex >> caught) || (caught >> (SIGINT - 1) & 1) != 0) return;
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  }
+}
+
 }  // namespace
 
 Run run_program(const std::vector<std::string>& arguments, const RunOptions& options) {
@@ -42,6 +60,8 @@ Run run_program(const std::vector<std::string>& arguments, const RunOptions& opt
   for (auto& word : words) argv.push_back(word.data());
   argv.push_back(nullptr);
 
+  int started[2];  // closed by the exec: until then the process has the handlers of the tests
+  if (::pipe2(started, O_CLOEXEC) != 0) throw std::runtime_error("no pipe");
   const pid_t child = ::fork();
   if (child == 0) {
     if (options.own_group && ::setpgid(0, 0) != 0) ::_exit(126);
@@ -65,8 +85,13 @@ Run run_program(const std::vector<std::string>& arguments, const RunOptions& opt
   }
   ::close(out_descriptor);
   ::close(err_descriptor);
+  ::close(started[1]);
+  char byte = 0;
+  (void)!::read(started[0], &byte, 1);
+  ::close(started[0]);
   if (child < 0) throw std::runtime_error("cannot fork");
   if (options.interrupt_after > 0) {
+    wait_for_its_handler(child);
     std::this_thread::sleep_for(std::chrono::duration<double>(options.interrupt_after));
     ::kill(options.own_group ? -child : child, SIGINT);
   }

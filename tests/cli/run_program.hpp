@@ -26,7 +26,7 @@ struct RunOptions {
   bool closed_pipe = false;          ///< standard output is a pipe whose reader has gone
   std::uint64_t address_space = 0;   ///< bytes of address space that it gets; 0: no limit
   std::uint64_t file_size = 0;       ///< bytes of the largest file that it may write; 0: no limit
-  double interrupt_after = 0;        ///< seconds until it gets SIGINT; 0: never
+  double interrupt_after = 0;        ///< seconds from its set-up until it gets SIGINT; 0: never
   double kill_after = 0;             ///< seconds until it is killed, by SIGKILL; 0: never
   bool own_group = false;            ///< the program leads a process group, and SIGINT goes to the whole group, as
                                      ///< Ctrl-C on a terminal does
