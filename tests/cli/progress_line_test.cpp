@@ -98,6 +98,28 @@ TEST_CASE("a progress line is drawn on a terminal, not too often, and wiped at t
   CHECK(calls == 0);
 }
 
+TEST_CASE("a progress line is not drawn again before its pause is over") {
+  const Terminal terminal;
+  if (terminal.theirs < 0) {
+    WARN("this machine gives no pseudo-terminal; nothing is checked");
+    return;
+  }
+  constexpr auto kPause = std::chrono::milliseconds(20);
+  std::array<std::chrono::steady_clock::time_point, 4> drawn;
+  {
+    const StandardErrorTo standard_error(terminal.theirs);
+    ProgressLine line(kPause);
+    drawn[0] = std::chrono::steady_clock::now();
+    for (std::size_t count = 1; count < drawn.size();)
+      line.draw([&] {
+        drawn[count++] = std::chrono::steady_clock::now();
+        return std::string("again");
+      });
+  }
+  // However slow the machine is: the line reads the clock before the first, and before each text.
+  CHECK(drawn[3] - drawn[0] >= 2 * kPause);
+}
+
 TEST_CASE("a line tells for how long a command waits, and is wiped when it does no longer") {
   const Terminal terminal;
   if (terminal.theirs < 0) {
