@@ -22,12 +22,19 @@ void run_on_threads(std::size_t count, std::atomic<bool>& stop, const std::funct
   std::condition_variable done;
   std::size_t running = count;
   std::exception_ptr error;
-  std::vector<std::jthread> threads;
-  // Destroyed before the threads are joined, also when `watch` throws.
-  struct StopAtEnd {
+  // Its destruction stops the threads and waits for them, also when `watch` throws.
+  struct Threads : std::vector<std::thread> {
     std::atomic<bool>& stop;
-    ~StopAtEnd() { stop = true; }
-  } const stop_at_end{stop};
+    explicit Threads(std::atomic<bool>& flag) : stop(flag) {}
+    ~Threads() {
+      stop = true;
+      join();
+    }
+    void join() {
+      for (std::thread& thread : *this) thread.join();
+      clear();
+    }
+  } threads(stop);
   const auto start = [&](std::size_t i) {
     threads.emplace_back([&, i] {
       std::exception_ptr mine;
@@ -61,7 +68,7 @@ void run_on_threads(std::size_t count, std::atomic<bool>& stop, const std::funct
     lock.lock();
   }
   lock.unlock();
-  threads.clear();
+  threads.join();
   if (error) std::rethrow_exception(error);
 }
 

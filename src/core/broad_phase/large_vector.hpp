@@ -13,13 +13,13 @@ namespace touchstone::broad_phase {
 
 /// Memory for an array. From 2 MB on, huge pages are asked for, where the system has them: the first touch of a page
 /// costs a fault, and one fault for 2 MB costs much less than 512 of them. @throws std::bad_alloc
-void* allocate_array(std::size_t bytes);
-void free_array(void* memory, std::size_t bytes) noexcept;
+void* allocate_array(std::size_t bytes, std::align_val_t alignment);
+void free_array(void* memory, std::size_t bytes, std::align_val_t alignment) noexcept;
 
 template <class T>
 struct ArrayAllocator {
   using value_type = T;
-  static_assert(alignof(T) <= __STDCPP_DEFAULT_NEW_ALIGNMENT__);
+  static constexpr auto kAlignment = std::align_val_t(alignof(T));
 
   ArrayAllocator() = default;
   template <class U>
@@ -27,9 +27,9 @@ struct ArrayAllocator {
 
   T* allocate(std::size_t count) {
     if (count > std::numeric_limits<std::size_t>::max() / sizeof(T)) throw std::bad_array_new_length();
-    return static_cast<T*>(allocate_array(count * sizeof(T)));
+    return static_cast<T*>(allocate_array(count * sizeof(T), kAlignment));
   }
-  void deallocate(T* memory, std::size_t count) noexcept { free_array(memory, count * sizeof(T)); }
+  void deallocate(T* memory, std::size_t count) noexcept { free_array(memory, count * sizeof(T), kAlignment); }
 
   /// Elements of plain types are not set to zero: they are written before they are read.
   template <class U>

@@ -144,8 +144,8 @@ PipeRun::Exchange PipeRun::exchange(std::string_view line, std::chrono::millisec
     // answers. Negative descriptors are left out.
     std::array<pollfd, 3> ends{
         {{out_.read, POLLIN, 0}, {child_->errors(), POLLIN, 0}, {rest.empty() ? -1 : in_.write, POLLOUT, 0}}};
-    constexpr long kLongest = 3'600'000;
-    const int ready = ::poll(ends.data(), ends.size(), static_cast<int>(std::min(left, kLongest)));
+    constexpr std::int64_t kLongest = 3'600'000;
+    const int ready = ::poll(ends.data(), ends.size(), static_cast<int>(std::min<std::int64_t>(left, kLongest)));
     if (ready == 0) ++idle_waits_;
     if (ready > 0 && ends[1].revents != 0) child_->drain();
     if (ready > 0 && ends[0].revents != 0) read_some();

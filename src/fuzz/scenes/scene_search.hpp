@@ -139,8 +139,8 @@ SceneOutcome<Scene> search_scenes(const SceneSort<Scene>& sort, const SceneSetti
         while (!stop) {
           const std::uint64_t number = next++;
           if ((cases && number >= *cases) || (settings.seconds && seconds_from(start) >= *settings.seconds)) return;
-          const SceneCase name =
-              settings.a_case.value_or(SceneCase{number % families, settings.seed, number / families});
+          const SceneCase name = settings.a_case.value_or(
+              SceneCase{static_cast<std::size_t>(number % families), settings.seed, number / families});
           const Scene scene = sort.make(name);
           const std::optional<SceneFailure> failure = judge(scene);
           ++scenes;
