@@ -18,6 +18,7 @@ readonly -a heavy_jobs=(
   'faults|10|planted faults: each weakened bound must be noticed'
   'fuzzing|1|the libFuzzer targets, for ten minutes in all'
   'release|1|the archive and the wheel of a release: made, built from nothing and tried'
+  'browser|1|the program as WebAssembly: built, and compared with the native one, in Node and in a browser'
   'plain|1|the preset plain: all that is installed, each source compiled by itself'
   'tests|1|every test on all of its random cases, with those of the label heavy'
 )
@@ -93,6 +94,19 @@ run_release() {
   local status=0
   install_missing tests
   "$touchstone_root/tests/release.sh" || status=$?
+  ((status != 77)) || exit 0 # it has said why it is skipped
+  return "$status"
+}
+run_browser() {
+  local out=$touchstone_root/build/browser status=0
+  needs_or_skip emcc node chromium
+  install_missing
+  [[ -d $out/gmp || -n ${TOUCHSTONE_GMP:-} ]] || apt-get source --print-uris gmp >/dev/null 2>&1 ||
+    skip 'the source of GMP: a line deb-src for apt-get, or its folder in TOUCHSTONE_GMP'
+  build_preset release touchstone_program
+  "$touchstone_root/src/bindings/browser/build.sh" "$out" ${TOUCHSTONE_GMP:+"$TOUCHSTONE_GMP"}
+  "$touchstone_root/tests/browser/run.sh" "$out" "$touchstone_root/build/release/touchstone" \
+    "$touchstone_root/src/cli/queries" || status=$?
   ((status != 77)) || exit 0 # it has said why it is skipped
   return "$status"
 }

@@ -132,6 +132,7 @@ int parse_and_run(int argc, const char* const* argv) {
       "  touchstone explain --query 12 edge-edge/a.csv\n"
       "  touchstone view --query 12 --out page.html edge-edge/a.csv\n"
       "  touchstone prove --out proofs.txt edge-edge/a.csv a proof of each answer, for touchstone-check\n"
+#ifndef TOUCHSTONE_QUERIES_ONLY
       "  touchstone generate --out queries                 query files like a simulation's\n"
       "  touchstone bench --filter simulation              the time of an answer\n"
       "  touchstone report --out report                    error against run time of every method\n"
@@ -141,7 +142,9 @@ int parse_and_run(int argc, const char* const* argv) {
       "  touchstone simulate hoop --out hoop               a basketball through a net, each step proved\n"
       "  touchstone mesh --report report.json cloth-*.obj  is each step of an animation free of contact?\n"
       "  touchstone bodies box.obj wall.obj --poses p.csv  the same of rigid bodies that turn, from recorded poses\n"
-      "  touchstone doctor                                 what is missing, and is arithmetic sound here?\n\n"
+      "  touchstone doctor                                 what is missing, and is arithmetic sound here?\n"
+#endif
+      "\n"
       "A query file has a row for each corner at t = 0 and then for each at t = 1, in the order\n"
       "  edge-edge    a0 a1 b0 b1      vertex-face  v f0 f1 f2      point-edge  p e0 e1      point-point  p q\n"
       "and seven integers a row: x_num,x_den,y_num,y_den,z_num,z_den,truth; all rows of a query, or none, have a "
@@ -164,6 +167,7 @@ int parse_and_run(int argc, const char* const* argv) {
   add_explain(program, command);
   add_view(program, command);
   add_prove(program, command);
+#ifndef TOUCHSTONE_QUERIES_ONLY  // a program for browsers, for example
   add_convert(program, command);
   add_generate(program, command);
   add_bench(program, command);
@@ -179,6 +183,7 @@ int parse_and_run(int argc, const char* const* argv) {
   add_scenes(program, command);
   add_doctor(program, command);
   add_describe(program, command);
+#endif
   try {
     std::vector<std::string> words(argv + std::min(argc, 1), argv + argc);
     if (!words.empty() && words.front() == "help") {  // "help mesh" is "mesh --help", and "help" is "--help"

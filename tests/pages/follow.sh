@@ -39,6 +39,7 @@ reason_not_to_run() {
     .ci/run*) echo 'it runs every test, this one among them' ;;
     fuzz/run.sh*) echo 'it builds with clang and fuzzes for minutes; tests/heavy.sh runs it' ;;
     tests/heavy.sh\ --list) ;;
+    src/bindings/browser/build.sh*) echo 'it compiles to WebAssembly, for minutes; tests/heavy.sh runs it' ;;
     tests/release.sh*) echo 'it builds the library and the module anew, for minutes; tests/heavy.sh runs it' ;;
     'cmake '*by_archive*) echo 'it needs the archive; tests/release.sh builds this project with it' ;;
     tests/heavy.sh*) echo 'it builds anew, and tests for many minutes' ;;

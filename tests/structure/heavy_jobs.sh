@@ -6,7 +6,7 @@ set -euo pipefail
 root=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")/../.." && pwd -P)
 copy=${1:?usage: heavy_jobs.sh FOLDER}
 rm -rf -- "$copy"
-mkdir -p -- "$copy"/{tests,src,fuzz,bin,build/fuzz/fuzz}
+mkdir -p -- "$copy"/{tests/browser,src/bindings/browser,fuzz,bin,build/fuzz/fuzz}
 copy=$(cd -- "$copy" && pwd -P)
 calls=$copy/calls
 cp -- "$root"/tests/{heavy,run-all}.sh "$copy/tests"
@@ -22,11 +22,13 @@ write_down() { # FILE ANSWER: a program that writes its name and arguments down,
     "$calls" "$calls" "$calls" "$2" >"$1"
   chmod +x -- "$1"
 }
-for name in cmake ctest aarch64-linux-gnu-g++ qemu-aarch64 python3; do
+for name in cmake ctest aarch64-linux-gnu-g++ qemu-aarch64 python3 emcc node chromium; do
   write_down "$copy/bin/$name" '/answer 3.25.0'
 done
 write_down "$copy/fuzz/weaken-constants.py" ''
 write_down "$copy/tests/release.sh" '/archive 1 bytes'
+write_down "$copy/src/bindings/browser/build.sh" ''
+write_down "$copy/tests/browser/run.sh" ''
 for target in query query_file answers_file pipe_lines scene_file mesh_file; do
   write_down "$copy/build/fuzz/fuzz/fuzz_$target" ''
 done
@@ -50,7 +52,7 @@ expect() { # JOB LINE...: the job's calls have these lines, in this order
 asked=0
 while read -r job _; do
   : >"$calls"
-  if ! PATH=$copy/bin:$PATH "$copy/tests/heavy.sh" "$job" 2/3 >"$copy/log" 2>&1 </dev/null; then
+  if ! PATH=$copy/bin:$PATH TOUCHSTONE_GMP=$copy "$copy/tests/heavy.sh" "$job" 2/3 >"$copy/log" 2>&1 </dev/null; then
     printf 'the job %s failed:\n%s\n' "$job" "$(cat -- "$copy/log")"
     failures=$((failures + 1))
     continue
@@ -65,6 +67,7 @@ while read -r job _; do
     faults) expect "$job" 'weaken-constants.py --quick --part 2/3' ;;
     fuzzing) expect "$job" 'cmake --build --preset fuzz' 'make_seeds' 'fuzz_.* -max_total_time=' ;;
     plain) expect "$job" 'cmake --preset plain' 'cmake --build --preset plain .*--target touchstone_installed' ;;
+    browser) expect "$job" 'cmake --build --preset release .*--target touchstone_program' 'build.sh ' 'run.sh ' ;;
     release) expect "$job" 'install tests' 'release.sh' ;;
     tests) expect "$job" 'cmake --build --preset release' 'ctest --preset release --parallel [0-9]*$' ;;
     *)

@@ -26,6 +26,7 @@ const LayerTable& layer_table() {
       {"frames", {"io", "json", "mesh"}},
       {"dropin", {"solver"}},
       {"c_api", {"solver", "mesh", "rigid"}},
+      {"browser", {}},
       {"python",
        {"solver", "exact", "certify", "fuzz", "mesh", "rigid", "proofs", "view", "io", "frames", "sequence", "threads",
         "geometry"}},
@@ -74,7 +75,7 @@ const std::map<std::string, Wing>& wing_table() {
       {"view", {{"view"}, {"core", "files", "proofs"}}},
       {"fuzz", {{"fuzz"}, {"core", "files", "cases"}}},
       {"measuring", {{"report", "stress"}, {"core", "files", "cases", "simulation", "view"}}},
-      {"bindings", {{"c_api", "dropin", "python"}, {"core", "files", "proofs", "view", "fuzz"}}},
+      {"bindings", {{"c_api", "dropin", "python", "browser"}, {"core", "files", "proofs", "view", "fuzz"}}},
       {"cli", {{"cli"}, {"core", "files", "cases", "proofs", "simulation", "view", "fuzz", "measuring"}}},
   };
   return table;
