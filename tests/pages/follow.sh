@@ -53,6 +53,9 @@ reason_not_to_run() {
         echo 'Coq 8.16, OCaml or Zarith is not installed'
       ;;
     'sudo '* | 'apt-get '*) echo 'it changes the machine' ;;
+    'git archive '*touchstone* | *'dpkg-buildpackage '* | *'brew '* | conan\ * | rattler-build\ * | spack\ * | vcpkg\ *)
+      echo 'a package manager builds the library anew, for minutes; tests/packaging checks the recipes'
+      ;;
     mmdebstrap* | 'git archive'* | 'mount '* | 'chroot '*) echo 'it needs root and makes a whole system' ;;
     'touchstone report --out '*) echo 'it measures for minutes; the same command with --quick is run by tests/report' ;;
     "python3 -c 'import touchstone"* | 'python3 ~/python/'*)

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "baselines/baseline.hpp"
+#include "baselines/body_baseline.hpp"
 #include "baselines/curved_baseline.hpp"
 #include "cli/run_program.hpp"
 #include "support/catch.hpp"
@@ -105,6 +106,8 @@ void check_rows(const std::vector<Row>& rows, const std::set<std::string>& expec
     CAPTURE(method.name);
     CHECK(wrong[std::string(method.name)] > 0);
   }
+  std::size_t per_body_set = 1;
+  for (const auto& method : baselines::body_methods()) per_body_set += method.tolerances.size();
   std::size_t per_set = 3, per_scale = 3;  // exact_only, touchstone_cgal and touchstone
   for (const auto& method : baselines::methods()) {
     per_set += method.has_tolerance() ? 3 : 1;
@@ -117,7 +120,10 @@ void check_rows(const std::vector<Row>& rows, const std::set<std::string>& expec
   CHECK(by_cgal > 0);
   for (const auto& [name, size] : sizes) {
     CAPTURE(name);
-    CHECK(size == (is_curved(name) ? per_curved_set : name.rfind("scale/", 0) == 0 ? per_scale : per_set));
+    CHECK(size == (is_curved(name)                 ? per_curved_set
+                   : name.rfind("bodies/", 0) == 0 ? per_body_set
+                   : name.rfind("scale/", 0) == 0  ? per_scale
+                                                   : per_set));
   }
 }
 
@@ -164,9 +170,17 @@ std::string own_queries(const TemporaryFolder& folder) {
 
 /// The sets of a quick report on `own_queries`.
 std::set<std::string> set_names() {
-  std::set<std::string> sets = {"files/point-point",       "scale/edge-edge",      "bundled/point-edge",
-                                "bundled/point-point",     "link-chain/edge-edge", "nut-and-bolt/edge-edge",
-                                "nut-and-bolt/vertex-face"};
+  std::set<std::string> sets = {"files/point-point",
+                                "scale/edge-edge",
+                                "bundled/point-edge",
+                                "bundled/point-point",
+                                "link-chain/edge-edge",
+                                "nut-and-bolt/edge-edge",
+                                "nut-and-bolt/vertex-face",
+                                "bodies/random",
+                                "bodies/touching",
+                                "bodies/gears",
+                                "bodies/links"};
   for (const char* kind : {"edge-edge", "vertex-face", "point-edge", "point-point"}) {
     for (const char* source : {"curved", "bundled-curved"}) sets.insert(std::string(source) + "/" + kind);
   }

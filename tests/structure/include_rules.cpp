@@ -17,7 +17,7 @@ const LayerTable& layer_table() {
       {"oracle", {}},
       {"solver", {"filters", "exact", "oracle", "geometry", "numbers", "threads"}},
       {"certify", {"solver", "numbers"}},
-      {"baselines", {"geometry"}},
+      {"baselines", {"rigid", "geometry"}},
       {"seeded", {}},
       {"families", {"geometry", "mesh", "numbers", "rigid", "seeded"}},
       {"broad_phase", {"threads"}},

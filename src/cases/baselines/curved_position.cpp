@@ -14,6 +14,24 @@ Vec3 scaled(const Vec3& x, int exponent) {
 
 }  // namespace
 
+double angular_speed(const RigidMotion& motion) {
+  const auto dot = [](const std::array<double, 4>& a, const std::array<double, 4>& b) {
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2] + a[3] * b[3];
+  };
+  const double aa = dot(motion.q0, motion.q0), ab = dot(motion.q0, motion.q1), bb = dot(motion.q1, motion.q1);
+  double wedge = 0;  // the sum of its components' squares, so that small turns do not cancel
+  for (std::size_t i = 0; i < 4; ++i) {
+    for (std::size_t j = i + 1; j < 4; ++j) {
+      const double component = motion.q0[i] * motion.q1[j] - motion.q0[j] * motion.q1[i];
+      wedge += component * component;
+    }
+  }
+  const double way = aa - 2 * ab + bb;  // |q1 - q0|^2
+  double nearest = std::min(aa, bb);    // the least |q(t)|^2
+  if (way > 0 && aa - ab > 0 && bb - ab > 0) nearest = std::min(nearest, wedge / way);
+  return wedge == 0 ? 0 : 2 * std::sqrt(wedge) / nearest;
+}
+
 CurvedCorners::CurvedCorners(const CurvedQuery& query) : query_(query) {
   double length = 0;
   for (std::size_t i = 0; i < corner_count(query.kind); ++i) {

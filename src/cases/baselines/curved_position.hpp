@@ -1,4 +1,4 @@
-// Where the corners of a curved query are, over doubles or over intervals.
+// Where the corners of a curved query are, over doubles or over intervals, and how fast bodies turn.
 // SPDX-License-Identifier: MIT
 #pragma once
 
@@ -14,6 +14,10 @@ namespace touchstone::baselines {
 
 /// The square of a number; for intervals it is less wide than the product.
 inline double square(double x) { return x * x; }
+
+/// A bound on the angular speed of q(t) = (1 - t) q0 + t q1 over the step: 2 |q0 ^ q1| / |q(t)|^2, where the wedge's
+/// length is that of the part of q1 across q0 times |q0|, at the least |q(t)|.
+double angular_speed(const RigidMotion& motion);
 
 /// The corners of a query, with quaternions scaled to ordinary length and lengths times 2^-exponent.
 class CurvedCorners {

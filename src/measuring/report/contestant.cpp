@@ -96,6 +96,22 @@ std::vector<Contestant> curved_contestants(const std::vector<double>& tolerances
   return all;
 }
 
+std::vector<Contestant> body_contestants(const Separation& separation) {
+  std::vector<Contestant> all;
+  if (separation.distance == 0) {
+    for (const baselines::BodyBaseline& method : baselines::body_methods()) {
+      Contestant contestant{std::string(method.name), std::string(method.about), nullptr, Method::fast, 0};
+      contestant.whole = &method;
+      for (const double tolerance : method.tolerances) {
+        contestant.tolerance = tolerance;
+        all.push_back(contestant);
+      }
+    }
+  }
+  all.push_back({"touchstone", "first_contact of whole bodies; never wrong", nullptr, Method::fast, 0});
+  return all;
+}
+
 namespace {
 
 template <class AnyQuery>
@@ -104,12 +120,26 @@ ContestantReply reply_of_solver(Method method, const AnyQuery& query, const Sepa
   return {claim_of(answer.contact, answer.toi), answer.level};
 }
 
+ContestantReply reply_of(const baselines::Result& result) {
+  return {claim_of(result.contact, result.toi), Level::exact};
+}
+
 }  // namespace
+
+ContestantReply ask(const Contestant& contestant, const baselines::MovingBodies& step, const Separation&) {
+  if (contestant.whole != nullptr) return reply_of(contestant.whole->solve(step, contestant.tolerance));
+  const FirstBodyContact first = first_contact(step.bodies, step.motions);
+  return {claim_of(first.contact, first.toi), first.contact ? first.earliest.front().answer.level : Level::filter};
+}
+
+void ask_all(const Contestant& contestant, const std::vector<baselines::MovingBodies>& steps, std::size_t count,
+             const Separation& separation) {
+  for (std::size_t i = 0; i < count; ++i) do_not_optimize(ask(contestant, steps[i], separation));
+}
 
 ContestantReply ask(const Contestant& contestant, const CurvedQuery& query, const Separation& separation) {
   if (contestant.curved == nullptr) return reply_of_solver(contestant.method, query, separation);
-  const auto result = contestant.curved->solve(query, kWholeStep, contestant.tolerance);
-  return {claim_of(result.contact, result.toi), Level::exact};
+  return reply_of(contestant.curved->solve(query, kWholeStep, contestant.tolerance));
 }
 
 void ask_all(const Contestant& contestant, const std::vector<CurvedQuery>& queries, std::size_t count,
@@ -124,17 +154,13 @@ void ask_all(const Contestant& contestant, const std::vector<CurvedQuery>& queri
 }
 
 ContestantReply ask(const Contestant& contestant, const Query& query, const Separation& separation) {
-  ContestantReply reply;
   if (contestant.thick != nullptr) {
-    const auto result = contestant.thick->solve(query, separation.distance, kWholeStep, contestant.tolerance);
-    reply.claim = claim_of(result.contact, result.toi);
-  } else if (contestant.baseline != nullptr) {
-    const auto result = contestant.baseline->solve(query, kWholeStep, contestant.tolerance);
-    reply.claim = claim_of(result.contact, result.toi);
-  } else {
-    return reply_of_solver(contestant.method, query, separation);
+    return reply_of(contestant.thick->solve(query, separation.distance, kWholeStep, contestant.tolerance));
   }
-  return reply;
+  if (contestant.baseline != nullptr) {
+    return reply_of(contestant.baseline->solve(query, kWholeStep, contestant.tolerance));
+  }
+  return reply_of_solver(contestant.method, query, separation);
 }
 
 void ask_all(const Contestant& contestant, const std::vector<Query>& queries, std::size_t count,

@@ -14,6 +14,7 @@
 #include <touchstone/solve.hpp>
 
 #include "baselines/baseline.hpp"
+#include "baselines/body_baseline.hpp"
 #include "baselines/curved_baseline.hpp"
 #include "baselines/separation_baseline.hpp"
 
@@ -28,6 +29,7 @@ struct Contestant {
   double tolerance = 0;                                  ///< 0: it has none
   const baselines::SeparationBaseline* thick = nullptr;  ///< a baseline for queries with a separation, or null
   const baselines::CurvedBaseline* curved = nullptr;     ///< a baseline for queries with curved motion, or null
+  const baselines::BodyBaseline* whole = nullptr;        ///< a baseline for whole bodies, or null
 
   bool supports(Kind kind) const {
     if (curved != nullptr) return curved->supports(kind);
@@ -38,12 +40,15 @@ struct Contestant {
   /// Whether it may stand on the front. The pairing with CGAL may not: where the filters decide all it is the same code
   /// as `touchstone`, and noise alone would say which of the two is faster.
   bool competes() const noexcept { return may_be_wrong() || method != Method::fast_cgal; }
-  bool may_be_wrong() const noexcept { return baseline != nullptr || thick != nullptr || curved != nullptr; }
+  bool may_be_wrong() const noexcept {
+    return baseline != nullptr || thick != nullptr || curved != nullptr || whole != nullptr;
+  }
 
   /// Whether it has no tolerance, or the one that its users commonly choose.
   bool is_usual() const noexcept {
     if (tolerance == 0) return true;
     if (curved != nullptr) return tolerance == curved->usual_tolerance;
+    if (whole != nullptr) return tolerance == whole->usual_tolerance;
     return tolerance == (thick != nullptr ? thick->usual_tolerance : baseline->usual_tolerance);
   }
 
@@ -58,18 +63,25 @@ std::vector<Contestant> contestants(const std::vector<double>& tolerances, const
 /// The same for queries with curved motion. No baseline for them takes a separation.
 std::vector<Contestant> curved_contestants(const std::vector<double>& tolerances, const Separation& separation = {});
 
-/// The reply of a contestant to one query, for a separation. A contestant for curved queries gets these alone.
+/// The methods for whole bodies, at tolerances of their own, and `touchstone`. No baseline takes a separation.
+std::vector<Contestant> body_contestants(const Separation& separation = {});
+
+/// The reply of a contestant to one query, for a separation. A contestant for curved queries gets these alone, and
+/// one for whole bodies steps of them, which have a separation of their own.
 struct ContestantReply {
   Claim claim;
   Level level = Level::exact;  ///< the level that decided; only of the solver's own methods
 };
 ContestantReply ask(const Contestant& contestant, const Query& query, const Separation& separation);
 ContestantReply ask(const Contestant& contestant, const CurvedQuery& query, const Separation& separation);
+ContestantReply ask(const Contestant& contestant, const baselines::MovingBodies& step, const Separation& separation);
 
 /// Asks the first `count` queries and forgets the answers: for timing.
 void ask_all(const Contestant& contestant, const std::vector<Query>& queries, std::size_t count,
              const Separation& separation);
 void ask_all(const Contestant& contestant, const std::vector<CurvedQuery>& queries, std::size_t count,
+             const Separation& separation);
+void ask_all(const Contestant& contestant, const std::vector<baselines::MovingBodies>& steps, std::size_t count,
              const Separation& separation);
 
 }  // namespace touchstone::report

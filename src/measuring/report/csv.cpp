@@ -25,7 +25,9 @@ constexpr const char* kCsvColumns =
 std::string tolerance_measures(const Contestant& contestant) {
   if (contestant.tolerance == 0) return "";
   if (contestant.thick != nullptr) return "share";
-  const auto measured = contestant.curved != nullptr ? contestant.curved->tolerance : contestant.baseline->tolerance;
+  const auto measured = contestant.curved != nullptr  ? contestant.curved->tolerance
+                        : contestant.whole != nullptr ? contestant.whole->tolerance
+                                                      : contestant.baseline->tolerance;
   return measured == baselines::Tolerance::length ? "length" : "share";
 }
 
@@ -75,7 +77,7 @@ std::string csv_rows(const Size& size, const std::vector<SetResults>& sets) {
     }
     for (const Result& result : set.results) {
       text +=
-          fmt::format("{},{},{},{},{},{},{},{},{}{}\n", origin, set.set.name, name_of(set.set.kind), set.exponent,
+          fmt::format("{},{},{},{},{},{},{},{},{}{}\n", origin, set.set.name, set.set.kind_name(), set.exponent,
                       result.contestant.name, result.contestant.tolerance_text(), tolerance_measures(result.contestant),
                       set.set.size(), result.asked > 0 ? numbers(result) : not_asked(), end);
     }

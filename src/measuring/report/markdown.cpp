@@ -87,6 +87,7 @@ std::string level_section(const Report& report) {
       "## Levels\n\nWhich level of `touchstone` decided, as shares of the queries it was asked.\n\n"
       "| set | queries | filter | bracket | exact |\n|---|---:|---:|---:|---:|\n";
   for (const SetResults& set : report.sets) {
+    if (set.set.is_of_bodies()) continue;  // many pairs decide each
     for (const Result& result : set.results) {
       if (!result.contestant.is_touchstone()) continue;
       text += fmt::format("| {} | {} | {} | {} | {} |\n", set.set.name, result.asked,
@@ -138,11 +139,14 @@ std::string how_to_read(const Report& report) {
   std::string text = kHowToRead;
   text += "The methods:\n\n";
   std::vector<std::string> named;
-  for (const auto* contestants : {&report.contestants, &report.curved_contestants}) {
+  for (const auto* contestants : {&report.contestants, &report.curved_contestants, &report.body_contestants}) {
     for (const Contestant& contestant : *contestants) {
       if (std::find(named.begin(), named.end(), contestant.name) != named.end()) continue;
       named.push_back(contestant.name);
-      text += fmt::format("- `{}`{}: {}\n", contestant.name, contestant.curved != nullptr ? ", for curved motion" : "",
+      text += fmt::format("- `{}`{}: {}\n", contestant.name,
+                          contestant.curved != nullptr  ? ", for curved motion"
+                          : contestant.whole != nullptr ? ", for whole bodies"
+                                                        : "",
                           contestant.about);
     }
   }

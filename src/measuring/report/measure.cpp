@@ -9,6 +9,8 @@
 #include <limits>
 #include <utility>
 
+#include "families/body_scenes.hpp"
+
 namespace touchstone::report {
 namespace {
 
@@ -39,6 +41,21 @@ std::array<double, 5> percentiles(std::vector<double> values) {
     result[i] = values[std::max<std::size_t>(1, static_cast<std::size_t>(rank)) - 1];
   }
   return result;
+}
+
+template <class AnyQuery>
+Answer exact_answer(const AnyQuery& query, const Separation& separation) {
+  return solve(query, {.separation = separation, .method = Method::exact});
+}
+
+/// The first contact of all pairs of elements, each by itself: without boxes and trees.
+Answer exact_answer(const baselines::MovingBodies& step, const Separation& separation) {
+  Answer first;
+  for (const BodyPair& pair : families::every_pair(step.bodies)) {
+    const Answer answer = exact_answer(query_of(step.bodies, pair, step.motions), separation);
+    if (answer.contact && answer.toi < first.toi) first = answer;
+  }
+  return first;
 }
 
 void count(const ContestantReply& reply, const Answer& truth, Result& result, std::vector<std::int64_t>& errors) {
@@ -107,8 +124,8 @@ SetResults measure(QuerySet set, const std::vector<Contestant>& contestants, con
   std::vector<Answer> truth;
   set.with_queries([&](const auto& queries) {
     for (const auto& query : queries) {
-      if (truth.size() % 1024 == 0) pulse();
-      truth.push_back(solve(query, {.separation = set.separation, .method = Method::exact}));
+      if (truth.size() % 1024 == 0 || set.is_of_bodies()) pulse();
+      truth.push_back(exact_answer(query, set.separation));
     }
   });
   set.truth = std::move(truth);

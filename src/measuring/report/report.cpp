@@ -9,6 +9,7 @@
 
 #include "io/write_whole.hpp"
 #include "report/body_pairs.hpp"
+#include "report/body_steps.hpp"
 #include "report/csv.hpp"
 #include "report/family_sets.hpp"
 #include "report/markdown.hpp"
@@ -31,13 +32,14 @@ struct Amounts {
   std::size_t random, near, scale;
   BodyPairOptions bodies;
   std::size_t curved;  ///< cases of each family and kind
+  std::size_t steps;   ///< of whole bodies, of each sort
   Effort effort, scale_effort;
 };
 
 Amounts amounts(bool quick) {
   if (quick)
-    return {{300, 1000, 4}, {100, 1000, 2}, 200, 300, 60, {200}, 4, {0.01, 3, 0.0002, 2}, {0.003, 3, 0.0002, 2}};
-  return {{6000, 4000, 20}, {2000, 4000, 4}, 4000, 4000, 1000, {4000}, 40, {0.3, 7, 0.01, 3}, {0.1, 5, 0.01, 3}};
+    return {{300, 1000, 4}, {100, 1000, 2}, 200, 300, 60, {200}, 4, 10, {0.01, 3, 0.0002, 2}, {0.003, 3, 0.0002, 2}};
+  return {{6000, 4000, 20}, {2000, 4000, 4}, 4000, 4000, 1000, {4000}, 40, 100, {0.3, 7, 0.01, 3}, {0.1, 5, 0.01, 3}};
 }
 
 std::vector<QuerySet> scale_sets(std::uint64_t seed, std::size_t count) {
@@ -76,6 +78,7 @@ Report make_report(const Size& size, std::vector<QuerySet> given, const Progress
   report.size = size;
   report.contestants = contestants(kTolerances, size.separation);
   report.curved_contestants = curved_contestants(kTolerances, size.separation);
+  report.body_contestants = body_contestants(size.separation);
 
   // The scenes run first, while this process is small: the processes of the runs are copies of it.
   report.scene_runs = run_scenes(size.quick, [&](double fraction) { progress("simulating", kSimulating * fraction); });
@@ -94,6 +97,7 @@ Report make_report(const Size& size, std::vector<QuerySet> given, const Progress
   append(near_sets(size.seed, amount.near));
   for (const auto scene : kBodyScenes) append(body_pair_sets(scene, of_bodies, generating));
   append(curved_sets(size.seed, amount.curved));
+  append(body_step_sets(size.seed, amount.steps, size.separation));
   std::vector<QuerySet> scales = scale_sets(size.seed, amount.scale);
 
   const double total = static_cast<double>(sets.size()) + 0.3 * static_cast<double>(scales.size());
@@ -105,7 +109,9 @@ Report make_report(const Size& size, std::vector<QuerySet> given, const Progress
     const std::string name = set.name;
     set.separation = size.separation;
     const auto pulse = [&] { progress(name, kSimulating + kMeasuring * done / total); };
-    const auto& asked = set.is_curved() ? report.curved_contestants : report.contestants;
+    const auto& asked = set.is_of_bodies() ? report.body_contestants
+                        : set.is_curved()  ? report.curved_contestants
+                                           : report.contestants;
     report.sets.push_back(measure(std::move(set), asked, amount.effort, pulse));
     done += 1;
   }

@@ -27,6 +27,7 @@ struct Report {
   Size size;
   std::vector<Contestant> contestants;
   std::vector<Contestant> curved_contestants;  ///< of the sets with curved motion
+  std::vector<Contestant> body_contestants;    ///< of those of whole bodies
   std::vector<SetResults> sets;
   std::vector<SetResults> scales;  ///< one set at several scales, ascending; contestants at usual tolerances
   SceneRuns scene_runs;
@@ -40,7 +41,7 @@ using Progress = std::function<void(std::string_view what, double fraction)>;
 std::size_t most_given(const Size& size) noexcept;
 
 /// Measures the simulation-like sets, the random and the near ones, `given` ones (their truth need not be filled in),
-/// those of curved motion, the scales, and scenes. Takes minutes, or some seconds when quick.
+/// those of curved motion and of whole bodies, the scales, and scenes. Takes minutes, or some seconds when quick.
 Report make_report(const Size& size, std::vector<QuerySet> given, const Progress& progress);
 
 /// Writes report.md, report.csv, simulation.csv and plots/NAME.svg into `folder`, which has a folder `plots`.

@@ -114,7 +114,7 @@ view::ChartSeries look_of(const Contestant& contestant) {
     int colour, shape;
     bool hollow;
   };
-  static constexpr std::array<Look, 12> kLooks{{{"paper", 2, 1, false},
+  static constexpr std::array<Look, 14> kLooks{{{"paper", 2, 1, false},
                                                 {"closed_form", 5, 2, false},
                                                 {"newton", 3, 3, false},
                                                 {"interval", 1, 4, false},
@@ -123,6 +123,8 @@ view::ChartSeries look_of(const Contestant& contestant) {
                                                 {"thick_polynomial", 2, 1, true},
                                                 {"redon", 1, 4, true},
                                                 {"curved_advancement", 4, 3, true},
+                                                {"waypoints", 1, 4, true},
+                                                {"body_advancement", 4, 3, true},
                                                 {"exact_only", 7, 0, true},
                                                 {"touchstone_cgal", 6, 1, true},
                                                 {"touchstone", 0, 0, false}}};
