@@ -18,6 +18,7 @@
 #include "rigid/body_data.hpp"
 #include "solver/cascade.hpp"
 #include "solver/validate.hpp"
+#include "threads/for_each_range.hpp"
 
 namespace touchstone::rigid {
 namespace {
@@ -180,7 +181,8 @@ std::size_t CollidingBodies::excluded() const {
   return excluded;
 }
 
-void validate(const Bodies& bodies, const std::vector<RigidMotion>& motions) {
+void validate(const Bodies& bodies, const std::vector<RigidMotion>& motions, int threads) {
+  threads::validate_threads(threads);
   if (motions.size() != bodies.bodies.size()) {
     throw InvalidQuery(text(motions.size()) + " motions do not fit: " + there_are(bodies.bodies.size()) +
                        ", and each needs one");

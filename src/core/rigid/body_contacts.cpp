@@ -250,7 +250,7 @@ FirstBodyContact first_contact(const Bodies& bodies, const std::vector<RigidMoti
                                const BodyStepOptions& options) {
   const numbers::DefaultFloatEnvironment environment;
   const rigid::CollidingBodies colliding(bodies);
-  rigid::validate(bodies, motions);
+  rigid::validate(bodies, motions, options.threads);
   solver::validate_t_max(options.t_max);
   return rigid::find_first(bodies, colliding, motions, options);
 }
@@ -259,7 +259,7 @@ std::vector<BodyContact> all_contacts(const Bodies& bodies, const std::vector<Ri
                                       const StepOptions& options) {
   const numbers::DefaultFloatEnvironment environment;
   const rigid::CollidingBodies colliding(bodies);
-  rigid::validate(bodies, motions);
+  rigid::validate(bodies, motions, options.threads);
   solver::validate_t_max(options.t_max);
   return rigid::find_all(bodies, colliding, motions, options);
 }
@@ -268,7 +268,7 @@ std::vector<BodyPair> candidates(const Bodies& bodies, const std::vector<RigidMo
                                  const MeshOptions& options) {
   const numbers::DefaultFloatEnvironment environment;
   const rigid::CollidingBodies colliding(bodies);
-  rigid::validate(bodies, motions);
+  rigid::validate(bodies, motions, options.threads);
   const auto near = rigid::near_bodies(bodies, colliding, rigid::arcs_of(bodies, motions, 0, 1));
   rigid::Candidates candidates(bodies, options);
   std::vector<BodyPair> all;

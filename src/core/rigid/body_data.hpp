@@ -65,7 +65,8 @@ class CollidingBodies {
   std::vector<std::uint64_t> body_pairs_, group_pairs_;  // ascending
 };
 
-/// @throws InvalidQuery  for another number of motions than of bodies, or naming the body whose motion has no meaning
-void validate(const Bodies& bodies, const std::vector<RigidMotion>& motions);
+/// @throws InvalidQuery  for another number of motions than of bodies, naming the body whose motion has no meaning, or
+///                       for a number of threads without meaning
+void validate(const Bodies& bodies, const std::vector<RigidMotion>& motions, int threads = 1);
 
 }  // namespace touchstone::rigid

@@ -113,7 +113,7 @@ inline namespace TOUCHSTONE_ABI {
 BodyDistance distance(const Bodies& bodies, const std::vector<Pose>& poses, const MeshOptions& options) {
   const numbers::DefaultFloatEnvironment environment;
   const rigid::CollidingBodies colliding(bodies);
-  rigid::validate(bodies, rigid::resting(poses));
+  rigid::validate(bodies, rigid::resting(poses), options.threads);
   return rigid::find_distance(bodies, colliding, poses, options);
 }
 

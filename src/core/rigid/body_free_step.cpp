@@ -99,7 +99,7 @@ inline namespace TOUCHSTONE_ABI {
 FreeBodyStep free_step(const Bodies& bodies, const std::vector<RigidMotion>& motions, const BodyStepOptions& options) {
   const numbers::DefaultFloatEnvironment environment;
   const rigid::CollidingBodies colliding(bodies);
-  rigid::validate(bodies, motions);
+  rigid::validate(bodies, motions, options.threads);
   if (options.t_max != 1) {
     throw InvalidQuery("t_max is " + numbers::decimal_text(options.t_max) + "; a free step is asked about with 1");
   }

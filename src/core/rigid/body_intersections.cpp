@@ -235,7 +235,7 @@ std::vector<BodyIntersection> intersections(const Bodies& bodies, const std::vec
                                             const MeshOptions& options) {
   const numbers::DefaultFloatEnvironment environment;
   const rigid::CollidingBodies colliding(bodies);
-  rigid::validate(bodies, rigid::resting(poses));
+  rigid::validate(bodies, rigid::resting(poses), options.threads);
   return rigid::find_intersections(bodies, colliding, poses, options);
 }
 

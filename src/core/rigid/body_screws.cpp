@@ -124,7 +124,7 @@ BodyScrewAnswer solve_screw(const Bodies& bodies, const std::vector<RigidMotion>
                             const BodyScrewOptions& options) {
   const numbers::DefaultFloatEnvironment environment;
   const rigid::CollidingBodies colliding(bodies);
-  rigid::validate(bodies, motions);
+  rigid::validate(bodies, motions, options.threads);
   solver::validate_t_max(options.t_max);
   solver::validate_arcs(options.arcs, options.most_arcs);
   return rigid::decide(bodies, colliding, motions, options);
