@@ -7,7 +7,8 @@
 /** @file
  * The library for C, and for every language that calls C.
  *
- * Plain C11, and C++. Link the library `touchstone`. The answers are those of the C++ functions.
+ * Plain C11, and C++. Link the library `touchstone`. The answers are those of the C++ functions. Whole bodies that turn
+ * are in touchstone/c_bodies.h, which this header includes.
  *
  * Every function that can fail returns one of touchstone_status_code. No C++ exception leaves a function. After a
  * failure touchstone_last_error() says what is wrong, and nothing that the function wrote is valid; a handle that it
@@ -33,7 +34,7 @@ extern "C" {
 #endif
 
 /** The version of this interface. A number is added for each addition; nothing is taken away under one number. */
-#define TOUCHSTONE_C_VERSION 7
+#define TOUCHSTONE_C_VERSION 8
 
 /** The values that functions return. */
 enum touchstone_status_code {
@@ -93,14 +94,19 @@ struct touchstone_options {
 
   int32_t reserved;   /**< of no meaning; earlier structures end here */
   int32_t method;     /**< of touchstone_solve and batches: one of touchstone_method */
-  int32_t reserved_2; /**< of no meaning */
+  int32_t reserved_2; /**< of no meaning; earlier structures end here */
+
+  /** Of touchstone_bodies_solve_screw: into how many arcs a step is cut first, and at most while a verdict is left open:
+   *  powers of two from 4 to 2^20. */
+  int32_t arcs;
+  int32_t most_arcs; /**< it has no effect when it is less than `arcs` */
 };
 
 /** The options by default: the whole step, touching, one thread. */
 #define TOUCHSTONE_OPTIONS_INIT                                                                      \
   {                                                                                                  \
     sizeof(struct touchstone_options), 1.0, 1, 0, 0.0, NULL, 0, 0.0, TOUCHSTONE_WANTED_ALL, 0, 0, 0, \
-        TOUCHSTONE_METHOD_FAST, 0                                                                    \
+        TOUCHSTONE_METHOD_FAST, 0, 8, 256                                                            \
   }
 
 /** The answer to one query. Without contact both times are infinity, and only `contact` and `level` have a meaning.
@@ -407,174 +413,10 @@ int touchstone_mesh_free_step(const touchstone_mesh* mesh, const double* x0, con
                               const struct touchstone_options* options, double* positions, double* length, int* outcome,
                               struct touchstone_first_contact* contact);
 
-/** A rigid body: a mesh, with its vertices in the body's own frame. */
-typedef struct touchstone_body touchstone_body;
-
-/** Bodies, and which of them never collide. */
-typedef struct touchstone_bodies touchstone_bodies;
-
-/** A list of contacts of bodies, which the library owns. */
-typedef struct touchstone_body_contacts touchstone_body_contacts;
-
-/** Makes a body, once for any number of questions.
- *  @param mesh         its faces, edges and loose points, and their radii; its rules and separations do not count. It
- *                      is in three dimensions, and may be destroyed before the body
- *  @param points       the positions of the vertices in the body's own frame, 3 doubles for each
- *  @param value_count  the number of doubles in points
- *  @param body         becomes the body; touchstone_body_destroy ends it
- *  @return one of touchstone_status_code */
-int touchstone_body_create(const touchstone_mesh* mesh, const double* points, size_t value_count,
-                           touchstone_body** body);
-
-/** Ends a body. Bodies that were made of it stay valid. A null pointer is allowed. */
-void touchstone_body_destroy(touchstone_body* body);
-
-/** The order of a quaternion's components. None is the default: both are common, and the wrong one gives other
- *  orientations without an error. */
-enum touchstone_quaternion_order {
-  TOUCHSTONE_QUATERNION_WXYZ = 1, /**< w first: Eigen's constructor, MuJoCo */
-  TOUCHSTONE_QUATERNION_XYZW = 2  /**< w last: ROS, Unity, SciPy, glTF */
-};
-
-/** Which of both turns a body takes between two orientations: q and -q are the same orientation. */
-enum touchstone_turn {
-  TOUCHSTONE_TURN_SHORTER = 0, /**< the turn by at most 180 degrees, whatever the signs are */
-  TOUCHSTONE_TURN_AS_GIVEN = 1 /**< the one that the signs say: longer than 180 degrees where q0 . q1 < 0 */
-};
-
-/** Which bodies are asked about. The arrays are copied. An array that is null has no members; its count must then be
- *  0. */
-struct touchstone_bodies_elements {
-  size_t size;                          /**< sizeof(struct touchstone_bodies_elements) */
-  const touchstone_body* const* bodies; /**< the bodies; one may come several times */
-  size_t body_count;                    /**< the number of bodies, below 2^32 - 1 */
-  double separation;                    /**< bodies within this of each other are in contact; radii come on top */
-  int32_t metric;                       /**< one of touchstone_metric */
-  int32_t quaternion;                   /**< of all poses: one of touchstone_quaternion_order */
-  int32_t turn;                         /**< of all motions: one of touchstone_turn */
-  int32_t only_listed_groups;           /**< 0: the pairs of groups never collide; 1: these and no others collide */
-  const uint32_t* excluded_bodies;      /**< the numbers of two bodies each, which never collide with each other */
-  size_t excluded_body_count;           /**< the number of pairs of bodies */
-  const uint32_t* groups;               /**< the group of each body */
-  size_t group_count;                   /**< the number of bodies, or 0 without groups */
-  const uint32_t* group_pairs;          /**< two groups each, which the rule is about */
-  size_t group_pair_count;              /**< the number of pairs of groups */
-};
-
-/** No bodies, the shorter turns, and no order of a quaternion, which must be set. */
-#define TOUCHSTONE_BODIES_ELEMENTS_INIT                                                                                \
-  {                                                                                                                    \
-    sizeof(struct touchstone_bodies_elements), NULL, 0, 0.0, 0, 0, TOUCHSTONE_TURN_SHORTER, 0, NULL, 0, NULL, 0, NULL, \
-        0                                                                                                              \
-  }
-
-/** Makes bodies to ask about. What is wrong with the rules is said by the first question.
- *  @param elements  the bodies and the rules
- *  @param bodies    becomes them; touchstone_bodies_destroy ends them
- *  @return one of touchstone_status_code */
-int touchstone_bodies_create(const struct touchstone_bodies_elements* elements, touchstone_bodies** bodies);
-
-/** Ends bodies. Lists that were made with them stay valid. A null pointer is allowed. */
-void touchstone_bodies_destroy(touchstone_bodies* bodies);
-
-/** Elements of two bodies, of one of touchstone_kind. Of two edges, and of two vertices, the one of the lesser body is
- *  the first. */
-struct touchstone_body_pair {
-  int32_t kind;         /**< one of touchstone_kind */
-  uint32_t first_body;  /**< the number of a body, from 0 */
-  uint32_t first;       /**< the number of an edge in its mesh, or of a vertex for the other three kinds */
-  uint32_t second_body; /**< the number of another body */
-  uint32_t second;      /**< the number of an edge, face, edge or vertex in its mesh */
-};
-
-/** When bodies first come into contact. */
-struct touchstone_first_body_contact {
-  size_t size;     /**< sizeof(struct touchstone_first_body_contact) */
-  int32_t contact; /**< 1 when two elements that are apart at the start come into contact in [0, t_max], otherwise 0 */
-
-  /** 1 when there is no contact at all, at the start neither, and, where start_checked is 1, no intersection at the
-   *  start; otherwise 0. Where start_checked is 0, a body inside another may be free. */
-  int32_t free;
-  double toi;                 /**< the largest double <= the exact first time of such a contact; infinity without one */
-  double toi_upper;           /**< the smallest double >= this time; infinity without contact */
-  size_t start_intersections; /**< how often bodies intersect at the start; 0 when that was not asked */
-  int32_t start_checked;      /**< 1 when that was asked, by check_start of the options, otherwise 0 */
-  int32_t reserved;           /**< of no meaning */
-
-  /** Of the start: how many pieces of bodies lie in the box around an open surface of another body, which has no
-   *  inside. */
-  size_t in_open;
-  size_t cancelled; /**< and how many in closed surfaces whose winding numbers add up to 0: they count as outside */
-  size_t excluded;  /**< how many pairs of bodies the rules left out */
-  size_t turned;    /**< how many bodies took the shorter turn in place of the longer one that the signs say */
-};
-
-/** No first contact. */
-#define TOUCHSTONE_FIRST_BODY_CONTACT_INIT \
-  { sizeof(struct touchstone_first_body_contact), 0, 0, 0.0, 0.0, 0, 0, 0, 0, 0, 0, 0 }
-
-/** The first contact of bodies that move and turn. Over the step the quaternion is (1 - t) q0 + t q1, divided by its
- *  length, and the position (1 - t) p0 + t p1. Every pair of elements of two bodies has its exact answer.
- *  @param bodies       the bodies
- *  @param start        the poses at t = 0: 7 doubles for each body, x y z of its origin and then its quaternion, of any
- *                      length but 0
- *  @param end          the poses at t = 1
- *  @param value_count  the number of doubles in start, and in end: 7 times the number of bodies
- *  @param options      the options, or null
- *  @param result       becomes the first contact; initialise it by its macro
- *  @param first        null; or becomes the list of all pairs whose contact begins at that time
- *  @param at_start     null; or becomes the list of all pairs that are in contact at the start
- *  @return one of touchstone_status_code */
-int touchstone_bodies_first_contact(const touchstone_bodies* bodies, const double* start, const double* end,
-                                    size_t value_count, const struct touchstone_options* options,
-                                    struct touchstone_first_body_contact* result, touchstone_body_contacts** first,
-                                    touchstone_body_contacts** at_start);
-
-/** Every pair that comes into contact in [0, t_max], in the order of time.
- *  @param bodies       the bodies
- *  @param start        the poses at t = 0, as of touchstone_bodies_first_contact
- *  @param end          the poses at t = 1
- *  @param value_count  the number of doubles in start, and in end
- *  @param options      the options, or null
- *  @param contacts     becomes the list; touchstone_body_contacts_destroy ends it
- *  @return one of touchstone_status_code */
-int touchstone_bodies_all_contacts(const touchstone_bodies* bodies, const double* start, const double* end,
-                                   size_t value_count, const struct touchstone_options* options,
-                                   touchstone_body_contacts** contacts);
-
-/** A long step that is proved free of contact, and the rounded poses after it: the motion from start to these was asked
- *  about. The step is over [0, 1]: t_max must be 1.
- *  @param bodies       the bodies
- *  @param start        the poses at t = 0, as of touchstone_bodies_first_contact
- *  @param end          the poses at t = 1
- *  @param value_count  the number of doubles in start, in end and in poses
- *  @param options      the options, or null
- *  @param poses        becomes the poses after the step, in the same order; it may be start or end
- *  @param length       null; or becomes the fraction of the step, in [0, 1]
- *  @param outcome      null; or becomes one of touchstone_step_outcome
- *  @param contact      null; or becomes the first contact of the whole step; initialise it by its macro
- *  @return one of touchstone_status_code */
-int touchstone_bodies_free_step(const touchstone_bodies* bodies, const double* start, const double* end,
-                                size_t value_count, const struct touchstone_options* options, double* poses,
-                                double* length, int* outcome, struct touchstone_first_body_contact* contact);
-
-/** The number of contacts in a list; 0 for a null pointer. */
-size_t touchstone_body_contacts_count(const touchstone_body_contacts* contacts);
-
-/** One contact of a list.
- *  @param contacts  the list
- *  @param index     0 <= index < touchstone_body_contacts_count(contacts)
- *  @param pair      null; or becomes the elements
- *  @param answer    null; or becomes the answer for them
- *  @return one of touchstone_status_code */
-int touchstone_body_contacts_get(const touchstone_body_contacts* contacts, size_t index,
-                                 struct touchstone_body_pair* pair, struct touchstone_answer* answer);
-
-/** Ends a list of contacts. A null pointer is allowed. */
-void touchstone_body_contacts_destroy(touchstone_body_contacts* contacts);
-
 #ifdef __cplusplus
 }
 #endif
+
+#include <touchstone/c_bodies.h>
 
 #endif /* TOUCHSTONE_C_H */

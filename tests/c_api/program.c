@@ -100,6 +100,9 @@ static void bodies(void) {
   const touchstone_body* both[2];
   touchstone_bodies* handle = NULL;
   touchstone_body_contacts* first = NULL;
+  touchstone_body_pairs* pairs = NULL;
+  struct touchstone_body_screw_answer screw = TOUCHSTONE_BODY_SCREW_ANSWER_INIT;
+  struct touchstone_body_distance near = TOUCHSTONE_BODY_DISTANCE_INIT;
   int outcome = -1, i;
 
   bar.vertex_count = 2, bar.edges = edge, bar.edge_count = 1;
@@ -128,7 +131,15 @@ static void bodies(void) {
   check(touchstone_bodies_free_step(handle, start, end, 14, NULL, poses, &length, &outcome, NULL) == TOUCHSTONE_OK,
         "the free step of bodies");
   check(outcome == TOUCHSTONE_STEP_SHORTENED && length > 0.2 && length <= result.toi, "it ends before the contact");
+  check(touchstone_bodies_solve_screw(handle, start, end, 14, NULL, &screw, NULL) == TOUCHSTONE_OK, "a screw");
+  check(screw.verdict == TOUCHSTONE_SCREW_CONTACT && screw.free == 0 && screw.free_until <= screw.contact_by,
+        "it meets the wall at a constant rate, too");
+  check(touchstone_bodies_distance(handle, start, 14, NULL, &near, NULL, NULL) == TOUCHSTONE_OK, "a distance");
+  check(near.distance == 0.375 && near.intersections == 0, "the bar is 3/8 from the wall");
+  check(touchstone_bodies_candidates(handle, start, end, 14, NULL, &pairs) == TOUCHSTONE_OK, "candidates");
+  check(touchstone_body_pairs_count(pairs) >= 2, "both points of the bar are among them");
   touchstone_body_contacts_destroy(first);
+  touchstone_body_pairs_destroy(pairs);
   touchstone_bodies_destroy(handle);
 }
 

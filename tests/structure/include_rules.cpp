@@ -145,6 +145,7 @@ const std::map<std::string, std::string>& header_owners() {
       {"eigen.hpp", "*"},
       {"touchstone.hpp", "*"},
       {"c.h", "c_api"},
+      {"c_bodies.h", "c_api"},
       {"ipc_toolkit.hpp", "*"},
       {"closest_approach.hpp", "mesh"},
       {"toi_gradient.hpp", "solver"},

@@ -29,11 +29,27 @@ struct touchstone_body_contacts {
   std::vector<touchstone::BodyContact> all;
 };
 
+struct touchstone_body_pairs {
+  std::vector<touchstone::BodyPair> all;
+};
+
+struct touchstone_body_intersections {
+  std::vector<touchstone::BodyIntersection> all;
+};
+
+struct touchstone_body_screws {
+  std::vector<touchstone::BodyScrewContact> all;
+};
+
 namespace touchstone::c_api {
 
 namespace {
 
 constexpr std::size_t kPoseValues = 7;
+
+static_assert(TOUCHSTONE_SCREW_FREE == static_cast<int>(ScrewVerdict::free));
+static_assert(TOUCHSTONE_SCREW_CONTACT == static_cast<int>(ScrewVerdict::contact));
+static_assert(TOUCHSTONE_SCREW_WITHIN_BOUND == static_cast<int>(ScrewVerdict::within_bound));
 
 QuaternionOrder order_of(int quaternion) {
   switch (quaternion) {
@@ -66,22 +82,28 @@ struct Motions {
   std::size_t turned = 0;  ///< as in touchstone_first_body_contact
 };
 
-Motions motions_of(const touchstone_bodies& bodies, const double* start, const double* end, std::size_t value_count) {
-  array(start, value_count, 1, "start");
-  array(end, value_count, 1, "end");
+std::vector<Pose> poses_of(const touchstone_bodies& bodies, const double* values, std::size_t value_count,
+                           const char* name) {
+  array(values, value_count, 1, name);
   const std::size_t count = bodies.all.bodies.size();
   if (value_count % kPoseValues != 0 || value_count / kPoseValues != count) {
     throw InvalidArgument("the poses have " + std::to_string(value_count) + " values, and there are " +
                           std::to_string(count) + " bodies with " + std::to_string(kPoseValues) + " values each");
   }
-  const auto pose = [&](const double* at) {
-    return pose_of({at[0], at[1], at[2]}, {at[3], at[4], at[5], at[6]}, bodies.order);
-  };
+  std::vector<Pose> poses;
+  for (const double* at = values; poses.size() < count; at += kPoseValues) {
+    poses.push_back(pose_of({at[0], at[1], at[2]}, {at[3], at[4], at[5], at[6]}, bodies.order));
+  }
+  return poses;
+}
+
+Motions motions_of(const touchstone_bodies& bodies, const double* start, const double* end, std::size_t value_count) {
+  const std::vector<Pose> from = poses_of(bodies, start, value_count, "start");
+  const std::vector<Pose> to = poses_of(bodies, end, value_count, "end");
   Motions motions;
-  for (std::size_t i = 0; i < count; ++i) {
-    const Pose from = pose(start + kPoseValues * i), to = pose(end + kPoseValues * i);
-    motions.all.push_back(motion_between(from, to, bodies.turn));
-    motions.turned += motions.all.back().q1 == to.orientation ? 0 : 1;
+  for (std::size_t i = 0; i < from.size(); ++i) {
+    motions.all.push_back(motion_between(from[i], to[i], bodies.turn));
+    motions.turned += motions.all.back().q1 == to[i].orientation ? 0 : 1;
   }
   return motions;
 }
@@ -96,12 +118,19 @@ void write_poses(const touchstone_bodies& bodies, const std::vector<Pose>& poses
   }
 }
 
-BodyStepOptions step_of(const touchstone_options& options) {
-  BodyStepOptions asked;
+/// Those of a step and of screws, which have more of them.
+BodyScrewOptions body_options_of(const touchstone_options& options) {
+  BodyScrewOptions asked;
   asked.threads = options.threads;
   asked.t_max = options.t_max;
   asked.check_start = flag(options.check_start, "check_start");
+  asked.arcs = options.arcs;
+  asked.most_arcs = options.most_arcs;
   return asked;
+}
+
+touchstone_body_pair c_pair(const BodyPair& pair) {
+  return {static_cast<int>(pair.kind), pair.first.body, pair.first.element, pair.second.body, pair.second.element};
 }
 
 touchstone_first_body_contact c_first_contact(const FirstBodyContact& found, std::size_t turned) {
@@ -168,7 +197,7 @@ int touchstone_bodies_first_contact(const touchstone_bodies* bodies, const doubl
     const touchstone_options options = options_of(given, kHasTMax | kHasCheckStart);
     check_size(required(result, "result"), "result");
     const Motions motions = motions_of(of, start, end, value_count);
-    FirstBodyContact contact = first_contact(of.all, motions.all, step_of(options));
+    FirstBodyContact contact = first_contact(of.all, motions.all, body_options_of(options));
     const touchstone_first_body_contact told = c_first_contact(contact, motions.turned);
     hand_over(contact.earliest, first, contact.at_start, at_start);
     *result = told;
@@ -184,7 +213,7 @@ int touchstone_bodies_all_contacts(const touchstone_bodies* bodies, const double
     const touchstone_options options = options_of(given, kHasTMax);
     required(contacts, "contacts");
     *contacts = new touchstone_body_contacts{
-        all_contacts(of.all, motions_of(of, start, end, value_count).all, step_of(options))};
+        all_contacts(of.all, motions_of(of, start, end, value_count).all, body_options_of(options))};
   });
 }
 
@@ -197,7 +226,7 @@ int touchstone_bodies_free_step(const touchstone_bodies* bodies, const double* s
     array(poses, value_count, 1, "poses");
     if (contact != nullptr) check_size(*contact, "contact");
     const Motions motions = motions_of(of, start, end, value_count);
-    const FreeBodyStep step = free_step(of.all, motions.all, step_of(options));
+    const FreeBodyStep step = free_step(of.all, motions.all, body_options_of(options));
     write_poses(of, step.poses, poses);
     if (length != nullptr) *length = step.length;
     if (outcome != nullptr) *outcome = static_cast<int>(step.outcome);
@@ -205,24 +234,125 @@ int touchstone_bodies_free_step(const touchstone_bodies* bodies, const double* s
   });
 }
 
-std::size_t touchstone_body_contacts_count(const touchstone_body_contacts* contacts) {
-  return contacts == nullptr ? 0 : contacts->all.size();
-}
+std::size_t touchstone_body_contacts_count(const touchstone_body_contacts* contacts) { return count_of(contacts); }
 
 int touchstone_body_contacts_get(const touchstone_body_contacts* contacts, std::size_t index,
                                  touchstone_body_pair* pair, touchstone_answer* answer) {
   return guarded([&] {
-    const auto& all = required(contacts, "contacts").all;
-    check_index(index, all.size());
-    const auto& [elements, separation, found] = all[index];
-    if (pair != nullptr) {
-      *pair = {static_cast<int>(elements.kind), elements.first.body, elements.first.element, elements.second.body,
-               elements.second.element};
-    }
-    if (answer != nullptr) *answer = c_answer(found);
+    const BodyContact& one = item_of(contacts, index, "contacts");
+    if (pair != nullptr) *pair = c_pair(one.pair);
+    if (answer != nullptr) *answer = c_answer(one.answer);
   });
 }
 
 void touchstone_body_contacts_destroy(touchstone_body_contacts* contacts) { delete contacts; }
+
+int touchstone_bodies_candidates(const touchstone_bodies* bodies, const double* start, const double* end,
+                                 std::size_t value_count, const touchstone_options* given,
+                                 touchstone_body_pairs** pairs) {
+  clear(pairs);
+  return guarded([&] {
+    const touchstone_bodies& of = required(bodies, "bodies");
+    const touchstone_options options = options_of(given, 0);
+    required(pairs, "pairs");
+    *pairs = new touchstone_body_pairs{
+        candidates(of.all, motions_of(of, start, end, value_count).all, body_options_of(options))};
+  });
+}
+
+std::size_t touchstone_body_pairs_count(const touchstone_body_pairs* pairs) { return count_of(pairs); }
+
+int touchstone_body_pairs_get(const touchstone_body_pairs* pairs, std::size_t index, touchstone_body_pair* pair) {
+  return guarded([&] { required(pair, "pair") = c_pair(item_of(pairs, index, "pairs")); });
+}
+
+void touchstone_body_pairs_destroy(touchstone_body_pairs* pairs) { delete pairs; }
+
+int touchstone_bodies_intersections(const touchstone_bodies* bodies, const double* poses, std::size_t value_count,
+                                    const touchstone_options* given, touchstone_body_intersections** found) {
+  clear(found);
+  return guarded([&] {
+    const touchstone_bodies& of = required(bodies, "bodies");
+    const touchstone_options options = options_of(given, 0);
+    required(found, "intersections");
+    *found = new touchstone_body_intersections{
+        intersections(of.all, poses_of(of, poses, value_count, "poses"), body_options_of(options))};
+  });
+}
+
+std::size_t touchstone_body_intersections_count(const touchstone_body_intersections* found) { return count_of(found); }
+
+int touchstone_body_intersections_get(const touchstone_body_intersections* found, std::size_t index,
+                                      touchstone_body_intersection* intersection) {
+  return guarded([&] {
+    const BodyIntersection& one = item_of(found, index, "intersections");
+    required(intersection, "intersection") = {static_cast<int>(one.first_element),
+                                              one.first.body,
+                                              one.first.element,
+                                              static_cast<int>(one.second_element),
+                                              one.second.body,
+                                              one.second.element,
+                                              static_cast<int>(one.sort)};
+  });
+}
+
+void touchstone_body_intersections_destroy(touchstone_body_intersections* found) { delete found; }
+
+int touchstone_bodies_distance(const touchstone_bodies* bodies, const double* poses, std::size_t value_count,
+                               const touchstone_options* given, touchstone_body_distance* result,
+                               touchstone_body_contacts** nearest, touchstone_body_intersections** found) {
+  clear(nearest);
+  clear(found);
+  return guarded([&] {
+    const touchstone_bodies& of = required(bodies, "bodies");
+    const touchstone_options options = options_of(given, 0);
+    check_size(required(result, "result"), "result");
+    BodyDistance least = distance(of.all, poses_of(of, poses, value_count, "poses"), body_options_of(options));
+    const touchstone_body_distance told = {sizeof told,   least.distance,  least.intersections.size(),
+                                           least.in_open, least.cancelled, least.excluded};
+    hand_over(least.pairs, nearest, least.intersections, found);
+    *result = told;
+  });
+}
+
+int touchstone_bodies_solve_screw(const touchstone_bodies* bodies, const double* start, const double* end,
+                                  std::size_t value_count, const touchstone_options* given,
+                                  touchstone_body_screw_answer* result, touchstone_body_screws** open) {
+  clear(open);
+  return guarded([&] {
+    const touchstone_bodies& of = required(bodies, "bodies");
+    const touchstone_options options = options_of(given, kHasTMax | kHasCheckStart | kHasArcs);
+    check_size(required(result, "result"), "result");
+    const Motions motions = motions_of(of, start, end, value_count);
+    BodyScrewAnswer found = solve_screw(of.all, motions.all, body_options_of(options));
+    const touchstone_body_screw_answer told = {sizeof told,
+                                               static_cast<int>(found.verdict),
+                                               found.free() ? 1 : 0,
+                                               found.free_until,
+                                               found.contact_by,
+                                               found.start_intersections.size(),
+                                               found.start_checked ? 1 : 0,
+                                               0,
+                                               found.excluded,
+                                               motions.turned};
+    if (open != nullptr) *open = new touchstone_body_screws{std::move(found.pairs)};
+    *result = told;
+  });
+}
+
+std::size_t touchstone_body_screws_count(const touchstone_body_screws* screws) { return count_of(screws); }
+
+int touchstone_body_screws_get(const touchstone_body_screws* screws, std::size_t index, touchstone_body_pair* pair,
+                               touchstone_screw_answer* answer) {
+  return guarded([&] {
+    const auto& [elements, found] = item_of(screws, index, "screws");
+    if (pair != nullptr) *pair = c_pair(elements);
+    if (answer != nullptr) {
+      *answer = {static_cast<int>(found.verdict), found.arcs, found.free_until, found.contact_by, found.deviation};
+    }
+  });
+}
+
+void touchstone_body_screws_destroy(touchstone_body_screws* screws) { delete screws; }
 
 }  // extern "C"

@@ -53,6 +53,8 @@ touchstone_options options_of(const touchstone_options* options, unsigned has) {
   refuse(kHasFloat32, given.float32 == 0, "float32");
   refuse(kHasCheckStart, given.check_start == 0, "check_start");
   refuse(kHasMethod, given.method == defaults.method, "method");
+  refuse(kHasArcs, given.arcs == defaults.arcs, "arcs");
+  refuse(kHasArcs, given.most_arcs == defaults.most_arcs, "most_arcs");
   return given;
 }
 

@@ -97,7 +97,8 @@ enum HasOptions : unsigned {
   kHasWanted = 16,
   kHasFloat32 = 32,
   kHasCheckStart = 64,
-  kHasMethod = 128
+  kHasMethod = 128,
+  kHasArcs = 256  ///< and most_arcs
 };
 
 /// The options, or those by default for a null pointer.

@@ -61,20 +61,34 @@ inline void check_index(std::size_t index, std::size_t count) {
   }
 }
 
+/// An item of a list. Refuses a null pointer, and such an index.
+template <typename List>
+const auto& item_of(const List* list, std::size_t index, const char* name) {
+  const auto& all = required(list, name).all;
+  check_index(index, all.size());
+  return all[index];
+}
+
+template <typename List>
+std::size_t count_of(const List* list) noexcept {
+  return list == nullptr ? 0 : list->all.size();
+}
+
 /// Makes the caller's handle null, for the case of an error.
 template <typename Handle>
 void clear(Handle** handle) {
   if (handle != nullptr) *handle = nullptr;
 }
 
-/// Makes lists of the contacts, for the handles that are not null: both, or none where memory runs out.
-template <typename List, typename Contacts>
-void hand_over(Contacts& earliest, List** first, Contacts& starting, List** at_start) {
-  std::unique_ptr<List> first_list, start_list;
-  if (first != nullptr) first_list.reset(new List{std::move(earliest)});
-  if (at_start != nullptr) start_list.reset(new List{std::move(starting)});
-  if (first != nullptr) *first = first_list.release();
-  if (at_start != nullptr) *at_start = start_list.release();
+/// Makes lists of both, for the handles that are not null: all of them, or none where memory runs out.
+template <typename Items, typename List, typename OtherItems, typename OtherList>
+void hand_over(Items& items, List** handle, OtherItems& others, OtherList** other_handle) {
+  std::unique_ptr<List> list;
+  std::unique_ptr<OtherList> other_list;
+  if (handle != nullptr) list.reset(new List{std::move(items)});
+  if (other_handle != nullptr) other_list.reset(new OtherList{std::move(others)});
+  if (handle != nullptr) *handle = list.release();
+  if (other_handle != nullptr) *other_handle = other_list.release();
 }
 
 }  // namespace touchstone::c_api

@@ -180,16 +180,12 @@ int touchstone_mesh_all_contacts(const touchstone_mesh* mesh, const double* x0, 
   });
 }
 
-std::size_t touchstone_contacts_count(const touchstone_contacts* contacts) {
-  return contacts == nullptr ? 0 : contacts->all.size();
-}
+std::size_t touchstone_contacts_count(const touchstone_contacts* contacts) { return count_of(contacts); }
 
 int touchstone_contacts_get(const touchstone_contacts* contacts, std::size_t index, touchstone_mesh_pair* pair,
                             touchstone_answer* answer) {
   return guarded([&] {
-    const auto& all = required(contacts, "contacts").all;
-    check_index(index, all.size());
-    const MeshContact& contact = all[index];
+    const MeshContact& contact = item_of(contacts, index, "contacts");
     if (pair != nullptr) *pair = {static_cast<int>(contact.pair.kind), contact.pair.first, contact.pair.second};
     if (answer != nullptr) *answer = c_answer(contact.answer);
   });
@@ -218,16 +214,12 @@ int touchstone_mesh_intersects(const touchstone_mesh* mesh, const double* x, std
   });
 }
 
-std::size_t touchstone_intersections_count(const touchstone_intersections* found) {
-  return found == nullptr ? 0 : found->all.size();
-}
+std::size_t touchstone_intersections_count(const touchstone_intersections* found) { return count_of(found); }
 
 int touchstone_intersections_get(const touchstone_intersections* found, std::size_t index,
                                  touchstone_intersection* intersection) {
   return guarded([&] {
-    const auto& all = required(found, "intersections").all;
-    check_index(index, all.size());
-    const Intersection& one = all[index];
+    const Intersection& one = item_of(found, index, "intersections");
     touchstone_intersection told{};
     told.first_element = static_cast<int>(one.first_element);
     told.first = one.first;
