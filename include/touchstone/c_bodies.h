@@ -262,8 +262,8 @@ struct touchstone_body_distance {
   size_t size; /**< sizeof(struct touchstone_body_distance) */
 
   /** The least distance, rounded up to a double: some pair comes within it, and none within the next lesser double. 0
-   *  where bodies intersect, and where one is inside the other. Infinity where no two elements may collide, or where all
-   *  that may are farther apart than the greatest double. */
+   *  where bodies intersect, and where one is inside the other. Infinity where no two elements may collide, or where
+   *  all that may are farther apart than the greatest double. */
   double distance;
   size_t intersections; /**< how often bodies intersect */
   size_t in_open;       /**< as in touchstone_first_body_contact */
@@ -306,8 +306,8 @@ struct touchstone_screw_answer {
   double deviation;  /**< no corner was ever farther than this from where it should be, in the unit of length */
 };
 
-/** Whether bodies that turn at constant rates come into contact. Whatever the verdict is, they certainly have no contact
- *  before `free_until`, but for the start, if that was not asked about. */
+/** Whether bodies that turn at constant rates come into contact. Whatever the verdict is, they certainly have no
+ *  contact before `free_until`, but for the start, if that was not asked about. */
 struct touchstone_body_screw_answer {
   size_t size;     /**< sizeof(struct touchstone_body_screw_answer) */
   int32_t verdict; /**< one of touchstone_screw_verdict */

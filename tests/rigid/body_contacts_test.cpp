@@ -183,3 +183,52 @@ TEST_CASE("bodies that turn about an origin far away have few candidates, and th
     CHECK(found.empty() == (away > 1));
   }
 }
+
+TEST_CASE("bodies that turn together about an origin far away have few candidates, and the contacts of all pairs") {
+  seeded::Rng random(4143);
+  std::size_t touching_scenes = 0, free_scenes = 0;
+  for (std::size_t i = 0; i < effort(24); ++i) {
+    // Two boxes, one beside the other at this distance from an axis. The second one may have a frame of its own.
+    const double far = std::ldexp(1.0, random.between(10, 24)), gap = random.uniform(0.25, 2);
+    const bool meets = random.one_in(2), turned = random.one_in(2);
+    const double right = std::sqrt(0.5), angle = random.uniform(0.1, 1);
+    const auto moved = [&](const Body& body, double by) {
+      std::vector<Vec3> points = body.points();
+      for (Vec3& p : points) p.x += by;
+      return points;
+    };
+    std::vector<Vec3> second = moved(box(1, 1, 1), far + 2 + gap);
+    if (turned) {
+      for (Vec3& p : second) p = {p.y, -p.x, p.z};  // by a quarter turn about z, back
+    }
+    Bodies bodies;
+    bodies.bodies = {Body(box(1, 1, 1).mesh(), Positions(moved(box(1, 1, 1), far))),
+                     Body(box(1, 1, 1).mesh(), Positions(second))};
+    const double c = std::cos(angle / 2), s = std::sin(angle / 2);
+    std::vector<RigidMotion> motions(2);
+    motions[0].q1 = motions[1].q1 = {c, 0, 0, s};
+    if (turned) {
+      motions[1].q0 = {right, 0, 0, right};
+      motions[1].q1 = {c * right - s * right, 0, 0, c * right + s * right};
+    }
+    // The first body approaches the other one along the line between them, at the end of the step.
+    const double way = meets ? gap + 0.5 : gap / 2;
+    motions[0].p1 = {way * std::cos(angle), way * std::sin(angle), 0};
+    CAPTURE(i, far, gap, turned, angle);
+    std::vector<BodyPair> touching, found;
+    for (const BodyPair& pair : every_pair(bodies)) {
+      if (solve(query_of(bodies, pair, motions)).contact) touching.push_back(pair);
+    }
+    for (const BodyContact& contact : all_contacts(bodies, motions)) found.push_back(contact.pair);
+    std::sort(found.begin(), found.end());
+    CHECK(found == touching);
+    CHECK(touching.empty() == !meets);
+    const std::size_t near = candidates(bodies, motions).size();
+    CHECK(near >= touching.size());
+    if (!meets) CHECK(near == 0);
+    ++(meets ? touching_scenes : free_scenes);
+  }
+  if (!whole_effort("that bodies meet, and do not")) return;
+  CHECK(touching_scenes > 0);
+  CHECK(free_scenes > 0);
+}

@@ -94,6 +94,69 @@ double deviation_of_arc(const Orientation& first, const Orientation& second) noe
   return std::min(2.0, (geometry::kArcBulge * d * d + 2 * d * pace) * kWidened);
 }
 
+Vec3 less(const Vec3& point, const Vec3& x) noexcept { return {point.x - x.x, point.y - x.y, point.z - x.z}; }
+
+broad_phase::Box less(broad_phase::Box box, const Vec3& x) noexcept {
+  const std::array<double, 3> all{x.x, x.y, x.z};
+  for (std::size_t k = 0; k < 3; ++k) box.low[k] -= all[k], box.high[k] -= all[k];
+  return box;
+}
+
+/// conj(a) b: the turn from the frame of b to that of a.
+Quaternion between(const Quaternion& a, const Quaternion& b) noexcept {
+  return {dot(a, b), (a[0] * b[1] - a[1] * b[0]) - (a[2] * b[3] - a[3] * b[2]),
+          (a[0] * b[2] - a[2] * b[0]) - (a[3] * b[1] - a[1] * b[3]),
+          (a[0] * b[3] - a[3] * b[0]) - (a[1] * b[2] - a[2] * b[1])};
+}
+
+/// A turn from a body's frame to another one's, which is nearly the true one all along a piece.
+struct NearlyConstantTurn {
+  Quaternion unit;  ///< of length 1 within 8 e
+  double wrong_by;  ///< it is no farther than this from the true direction, at all times
+};
+
+// With qa(t) and qb(t) straight in t, s(t) = conj(qa(t)) qb(t) is a quadratic curve: the control points are
+// v0 = conj(qa(from)) qb(from), v1, half of conj(qa(from)) qb(to) + conj(qa(to)) qb(from), and
+// v2 = conj(qa(to)) qb(to), so s(t) is a sum of them with weights that are not negative. All that leans from a unit vector u by an angle of at
+// most f < 90 degrees is a cone, which is convex: it has all of s(t) if it has the control points. Of v, tan(f) is
+// |v - (v . u) u| / (v . u). The direction of s(t) is at most 2 sin(f / 2) <= tan(f) from u.
+//
+// The roundings, e = 2^-53: components of qa and qb are up to 1 and off by 2 e, so the lengths are up to 2 and off by
+// 4 e: 16 e in a product. 4 products and 3 sums of up to 4 round each of its components by 16 e, together 32 e, and
+// half of a sum of two by 8 e more: v is off by 64 e. v . u is off by 32 e, and by 4 * 8 e as u is not of length 1; the
+// components of v - (v . u) u by 40 e each, in length by 80 e, and by 64 e for u. All of it is below 512 e = 2^-44.
+std::optional<NearlyConstantTurn> turn_between(const RigidMotion& a, const RigidMotion& b, double from,
+                                               double to) noexcept {
+  constexpr double kOff = 0x1p-44;
+  std::array<std::array<Quaternion, 2>, 2> at;  // by body and end
+  for (std::size_t body = 0; body < 2; ++body) {
+    const RigidMotion& motion = body == 0 ? a : b;
+    const auto [q0, q1] = scaled(motion.q0, motion.q1);
+    for (std::size_t end = 0; end < 2; ++end) {
+      const double time = end == 0 ? from : to;
+      for (std::size_t i = 0; i < 4; ++i) at[body][end][i] = (1 - time) * q0[i] + time * q1[i];
+    }
+  }
+  std::array<Quaternion, 3> v = {between(at[0][0], at[1][0]), between(at[0][0], at[1][1]), between(at[0][1], at[1][1])};
+  const Quaternion other = between(at[0][1], at[1][0]);
+  for (std::size_t i = 0; i < 4; ++i) v[1][i] = (v[1][i] + other[i]) / 2;
+  NearlyConstantTurn turn{v[1], 0};
+  const double length = std::sqrt(dot(v[1], v[1]));
+  if (!(length >= kLeastLength)) return std::nullopt;
+  for (double& component : turn.unit) component /= length;
+  for (const Quaternion& one : v) {
+    const double along = dot(one, turn.unit);
+    if (!(along > kOff)) return std::nullopt;
+    double square = 0;
+    for (std::size_t i = 0; i < 4; ++i) {
+      const double across = one[i] - along * turn.unit[i];
+      square += across * across;
+    }
+    turn.wrong_by = std::max(turn.wrong_by, (std::sqrt(square) + kOff) / (along - kOff) * kWidened);
+  }
+  return turn;
+}
+
 }  // namespace
 
 double reach_of(const broad_phase::Box& box) noexcept {
@@ -110,8 +173,10 @@ double reach_of(const broad_phase::Box& box) noexcept {
 // wrong_by + 8 e of the true direction; quaternions of length 1 that differ by w turn X to places that are 2 w r apart.
 // 3 products and 2 sums of entries and coordinates are off by less than 51 e r together; the position adds
 // e (r + P), where P is the largest coordinate, and 4 e P where it is interpolated, along each axis. All of it is below
-// 2 wrong_by r + 2^-45 (r + P). Products that underflow are off by 2^-1074 each.
-Arc::Arc(const RigidMotion& motion, double from, double to, double reach, double off) noexcept {
+// 2 wrong_by r + 2^-45 (r + P). Products that underflow are off by 2^-1074 each. A point less `about` is off by e
+// of the difference along each axis, which is at most 2 e r and within that, too.
+Arc::Arc(const RigidMotion& motion, double from, double to, double reach, double off, const Vec3& about) noexcept
+    : about_(about), reach_(reach), off_(off) {
   const auto [q0, q1] = scaled(motion.q0, motion.q1);
   std::array<Orientation, 2> at{};
   if (orientation_at(q0, q1, from, at[0]) && orientation_at(q0, q1, to, at[1])) {
@@ -135,16 +200,25 @@ Arc::Arc(const RigidMotion& motion, double from, double to, double reach, double
 }
 
 Arc::Ends Arc::ends_of(const Vec3& point) const noexcept {
+  const Vec3 x = less(point, about_);
   std::array<AtBothEnds, 3> at;
   for (std::size_t k = 0; k < 3; ++k) {
-    at[k] = (turn_[k][0] * point.x + turn_[k][1] * point.y + turn_[k][2] * point.z) + position_[k];
+    at[k] = (turn_[k][0] * x.x + turn_[k][1] * x.y + turn_[k][2] * x.z) + position_[k];
   }
   return {{at[0][0], at[1][0], at[2][0]}, {at[0][1], at[1][1], at[2][1]}};
 }
 
+double Arc::reach_of(const Vec3& point) const noexcept {
+  const Vec3 x = less(point, about_);
+  return rigid::reach_of({{x.x, x.y, x.z}, {x.x, x.y, x.z}});
+}
+
 // The computed place of a point of the box is that of its middle and, along each axis, at most the half widths times
 // the magnitudes of the matrix's entries more; the roundings of both are within those of a point at the reach.
-broad_phase::BoundsByAxis Arc::around(const broad_phase::Box& box, double reach, double margin) const noexcept {
+broad_phase::BoundsByAxis Arc::around(const broad_phase::Box& own, double own_reach, double margin) const noexcept {
+  const bool is_moved = about_.x != 0 || about_.y != 0 || about_.z != 0;
+  const broad_phase::Box box = is_moved ? less(own, about_) : own;
+  const double reach = is_moved ? rigid::reach_of(box) : own_reach;
   std::array<double, 3> middle, half;
   for (std::size_t j = 0; j < 3; ++j) {
     middle[j] = box.low[j] / 2 + box.high[j] / 2;
@@ -161,6 +235,31 @@ broad_phase::BoundsByAxis Arc::around(const broad_phase::Box& box, double reach,
     bounds.high[k] = -broad_phase::lowered(-(at + side));
   }
   return bounds;
+}
+
+// Bodies with the turns A(t) and B(t), S(t) = A(t)^T B(t), and a point c of b's frame. Two points X and Y are apart by
+//
+//   A(t) X + p - B(t) Y - r = (A(t) (X - d) + p) - (B(t) (Y - c) + r) + A(t) (d - S(t) c)
+//
+// for any d. The first two terms are places of arcs about d and c. If S(t) is nearly a constant turn U, and d = U c,
+// the last one is short, however far c is from the origin: quaternions of length 1 that differ by w turn c to places
+// that are 2 w |c| apart, and the computed d is off by less than 2^-45 |c|, as a point in Arc is.
+std::optional<std::array<Arc, 2>> turn_together(const RigidMotion& a, const broad_phase::Box& box_a,
+                                                const RigidMotion& b, const broad_phase::Box& box_b, double from,
+                                                double to) noexcept {
+  const std::optional<NearlyConstantTurn> turn = turn_between(a, b, from, to);
+  if (!turn) return std::nullopt;
+  const auto middle = [&](std::size_t k) { return box_b.low[k] / 2 + box_b.high[k] / 2; };
+  const Vec3 of_b{middle(0), middle(1), middle(2)};
+  const auto matrix = matrix_of(turn->unit);
+  const auto turned = [&](std::size_t k) {
+    return matrix[k][0] * of_b.x + matrix[k][1] * of_b.y + matrix[k][2] * of_b.z;
+  };
+  const Vec3 of_a{turned(0), turned(1), turned(2)};
+  const double far = reach_of({{of_b.x, of_b.y, of_b.z}, {of_b.x, of_b.y, of_b.z}});
+  const double off = (2 * turn->wrong_by + kPositioning) * far * kWidened + 0x1p-1060;
+  return std::array{Arc(a, from, to, reach_of(less(box_a, of_a)), off, of_a),
+                    Arc(b, from, to, reach_of(less(box_b, of_b)), 0, of_b)};
 }
 
 }  // namespace touchstone::rigid

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstddef>
+#include <optional>
 
 #include <touchstone/curved_query.hpp>
 
@@ -20,9 +21,11 @@ class Arc {
  public:
   /// @param motion  valid
   /// @param from    0 <= from <= to <= 1, multiples of 2^-20
-  /// @param reach   no point of the body is farther from its origin
+  /// @param reach   no point of the body is farther from its origin, or from `about`
   /// @param off     no point of the body is farther than this from where the motion has it
-  Arc(const RigidMotion& motion, double from, double to, double reach, double off = 0) noexcept;
+  /// @param about   a point of the body's frame that is taken for its origin: all places are off by the place of this
+  ///                point beside the origin, as turn_together explains
+  Arc(const RigidMotion& motion, double from, double to, double reach, double off = 0, const Vec3& about = {}) noexcept;
 
   /// A point of the body at both ends, rounded.
   struct Ends {
@@ -30,12 +33,15 @@ class Arc {
   };
   Ends ends_of(const Vec3& point) const noexcept;
 
-  /// At all times a point that is within `reach` of the body's origin is no farther from the straight motion between
-  /// its `ends_of`, at the same time.
+  /// A little more than the distance of a point of the body from the origin that is taken.
+  double reach_of(const Vec3& point) const noexcept;
+
+  /// At all times a point that is within `reach` of the origin that is taken is no farther from the straight motion
+  /// between its `ends_of`, at the same time.
   double deviation(double reach) const noexcept { return per_reach_ * reach + error_; }
 
-  /// How far such a point may leave straight motion because the body turns: a fourth, about, for half of the duration.
-  double bulge(double reach) const noexcept { return bulge_ * reach; }
+  /// How far a point of the body may be off straight motion, but for roundings: half for half of the duration, or less.
+  double bulge() const noexcept { return bulge_ * reach_ + off_; }
 
   /// A moving box that holds the points in a box of the body's own frame at all times, wider by a margin >= 0.
   /// @param reach  reach_of(box), or more
@@ -45,8 +51,20 @@ class Arc {
   using AtBothEnds = broad_phase::BoundsByAxis::AtBothEnds;
   std::array<std::array<AtBothEnds, 3>, 3> turn_;
   std::array<AtBothEnds, 3> position_;
-  double bulge_ = 2, per_reach_ = 0, error_ = 0;
+  Vec3 about_;
+  double reach_, off_, bulge_ = 2, per_reach_ = 0, error_ = 0;
   double rounding_ = 0;  // of a position
 };
+
+/// The arcs of two bodies that turn together, about an origin that is far beside their widths: as seen from a frame
+/// that moves with both. Places on these arcs are not those of the bodies, but differences of places of two points,
+/// one of each body, are within the arcs' bounds. They are narrower than those of the arcs about the bodies' own
+/// origins.
+/// @param a, b          valid motions
+/// @param box_a, box_b  hold all points of the bodies, in their own frames
+/// @return nothing where the bodies do not turn together as far as this bound can tell
+std::optional<std::array<Arc, 2>> turn_together(const RigidMotion& a, const broad_phase::Box& box_a,
+                                                const RigidMotion& b, const broad_phase::Box& box_b, double from,
+                                                double to) noexcept;
 
 }  // namespace touchstone::rigid

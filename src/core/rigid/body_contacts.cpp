@@ -31,8 +31,8 @@ namespace {
 // in it. By default that is a small part of a body's width, in pieces that are longer than kShort. A body may turn
 // about an origin far from it: then its arcs leave straight motion by as much as its width, and all of its elements
 // seem to be near. Such pieces are halved further. Mostly there are few: the body crosses the width of the other one in
-// little time. Bodies that turn about one far origin together stay near: no piece is short enough for them, so only so
-// many are halved.
+// little time. Bodies that turn about one far origin together stay near. They are seen from a frame that turns with
+// them; where their turns differ too much for that, but not enough to part them, only so many pieces are halved.
 constexpr double kLittle = 1.0 / 256, kMuch = 1.0 / 16;
 constexpr double kShort = 0x1p-8;
 constexpr double kShortest = 0x1p-20;  // as Arc asks
@@ -44,14 +44,28 @@ double width_of(const Body::Impl& body) noexcept {
   return width;
 }
 
+constexpr double kFar = 8;  // times its width: an origin that is far from a body
+
+/// The arcs of two bodies, which are about their own origins or, if that is much narrower, seen from a frame that turns
+/// with both.
+PairOnArcs on_narrow_arcs(const Bodies& bodies, const std::vector<RigidMotion>& motions, const std::vector<Arc>& arcs,
+                          const std::array<BodyIndex, 2>& pair, double from, double to) {
+  const auto [a, b] = pair;
+  const Body::Impl &of_a = bodies.bodies[a].impl(), &of_b = bodies.bodies[b].impl();
+  PairOnArcs plain{pair, {arcs[a], arcs[b]}};
+  if (of_a.reach <= kFar * width_of(of_a) || of_b.reach <= kFar * width_of(of_b)) return plain;
+  const auto together = turn_together(motions[a], of_a.box, motions[b], of_b.box, from, to);
+  const auto bulge = [](const std::array<Arc, 2>& both) { return both[0].bulge() + both[1].bulge(); };
+  return together && bulge(*together) < bulge(plain.arcs) / 2 ? PairOnArcs{pair, *together} : plain;
+}
+
 /// Whether a piece of this duration is to be halved.
-bool is_too_long(const Bodies& bodies, const BodyPairs& near, const std::vector<Arc>& arcs, double duration) {
-  return duration > kShortest && std::any_of(near.begin(), near.end(), [&](const std::array<BodyIndex, 2>& pair) {
+bool is_too_long(const Bodies& bodies, const std::vector<PairOnArcs>& near, double duration) {
+  return duration > kShortest && std::any_of(near.begin(), near.end(), [&](const PairOnArcs& pair) {
            std::array<double, 2> width, bulge;
            for (std::size_t i = 0; i < 2; ++i) {
-             const Body::Impl& body = bodies.bodies[pair[i]].impl();
-             width[i] = width_of(body);
-             bulge[i] = arcs[pair[i]].bulge(body.reach);
+             width[i] = width_of(bodies.bodies[pair.bodies[i]].impl());
+             bulge[i] = pair.arcs[i].bulge();
              if (duration > kShort && bulge[i] > kLittle * width[i]) return true;
            }
            return std::max(bulge[0], bulge[1]) > kMuch * std::max(width[0], width[1]);
@@ -63,20 +77,24 @@ BoundsByAxis box_on(const Bodies& bodies, BodyIndex number, const Arc& arc) noex
   return arc.around(body.box, body.reach, mesh::with_room(bodies.separation.distance / 2 + body.radius));
 }
 
-/// Calls ask(near, arcs) for pieces that follow one another and make up a step, with the pairs of bodies that are near
-/// each other in the piece, if there are any. Pieces that begin after `until` are left out.
+/// Calls ask(near) for pieces that follow one another and make up a step, with the pairs of bodies that are near each
+/// other in the piece, if there are any. Pieces that begin after `until` are left out.
 template <class Ask>
 void for_each_piece(const Bodies& bodies, const std::vector<RigidMotion>& motions, const BodyPairs& may_be_near,
                     const std::atomic<double>& until, double from, double to, int& halved, const Ask& ask) {
   if (from > 0 && from >= until) return;
   const std::vector<Arc> arcs = arcs_of(bodies, motions, from, to);
   BodyPairs near;
-  for (const auto& [a, b] : may_be_near) {
-    if (broad_phase::meet(box_on(bodies, a, arcs[a]), box_on(bodies, b, arcs[b]))) near.push_back({a, b});
+  std::vector<PairOnArcs> near_on_arcs;
+  for (const std::array<BodyIndex, 2>& pair : may_be_near) {
+    const PairOnArcs now = on_narrow_arcs(bodies, motions, arcs, pair, from, to);
+    if (!broad_phase::meet(box_on(bodies, pair[0], now.arcs[0]), box_on(bodies, pair[1], now.arcs[1]))) continue;
+    near.push_back(pair);
+    near_on_arcs.push_back(now);
   }
   if (near.empty()) return;
   const bool is_short = to - from <= kShort;
-  if ((is_short && halved >= kMostHalved) || !is_too_long(bodies, near, arcs, to - from)) return ask(near, arcs);
+  if ((is_short && halved >= kMostHalved) || !is_too_long(bodies, near_on_arcs, to - from)) return ask(near_on_arcs);
   if (is_short) ++halved;
   const double middle = from / 2 + to / 2;
   for_each_piece(bodies, motions, near, until, from, middle, halved, ask);
@@ -91,8 +109,8 @@ void for_each_contact(const Bodies& bodies, const CollidingBodies& colliding, co
   const BodyPairs near = near_bodies(bodies, colliding, arcs_of(bodies, motions, 0, 1));
   Candidates candidates(bodies, options);
   int halved = 0;
-  for_each_piece(bodies, motions, near, until, 0, 1, halved, [&](const BodyPairs& now, const std::vector<Arc>& arcs) {
-    const std::vector<BodyPair> pairs = candidates.on(now, arcs);
+  for_each_piece(bodies, motions, near, until, 0, 1, halved, [&](const std::vector<PairOnArcs>& now) {
+    const std::vector<BodyPair> pairs = candidates.on(now);
     threads::for_each_range(
         pairs.size(), mesh::kContactsAtATime, options.threads, [&](std::size_t first, std::size_t last) {
           for (std::size_t i = first; i < last; ++i) {
@@ -163,7 +181,14 @@ BodyPairs near_bodies(const Bodies& bodies, const CollidingBodies& colliding, co
   return near;
 }
 
-std::vector<BodyPair> Candidates::on(const BodyPairs& near, const std::vector<Arc>& arcs) {
+std::vector<PairOnArcs> on_arcs(const BodyPairs& pairs, const std::vector<Arc>& arcs) {
+  std::vector<PairOnArcs> all;
+  all.reserve(pairs.size());
+  for (const auto& [a, b] : pairs) all.push_back({{a, b}, {arcs[a], arcs[b]}});
+  return all;
+}
+
+std::vector<BodyPair> Candidates::on(const std::vector<PairOnArcs>& near) {
   std::vector<BodyPair> found;
   std::mutex lock;
   threads::for_each_range(near.size(), 1, options_.threads, [&](std::size_t first, std::size_t last) {
@@ -171,8 +196,9 @@ std::vector<BodyPair> Candidates::on(const BodyPairs& near, const std::vector<Ar
     const NearConsumer take = [&some](const NearElements& elements) { some.push_back(pair_of(elements)); };
     for (std::size_t i = first; i < last; ++i) {
       mesh::check_stop(options_.stop);
-      const auto [a, b] = near[i];
-      for_each_near_in_motion(bodies_, {a, bodies_.bodies[a].impl(), arcs[a]}, {b, bodies_.bodies[b].impl(), arcs[b]},
+      const auto& [pair, arcs] = near[i];
+      const auto [a, b] = pair;
+      for_each_near_in_motion(bodies_, {a, bodies_.bodies[a].impl(), arcs[0]}, {b, bodies_.bodies[b].impl(), arcs[1]},
                               take);
     }
     const std::lock_guard<std::mutex> guard(lock);
@@ -274,11 +300,10 @@ std::vector<BodyPair> candidates(const Bodies& bodies, const std::vector<RigidMo
   std::vector<BodyPair> all;
   const std::atomic<double> until{1};
   int halved = 0;
-  rigid::for_each_piece(bodies, motions, near, until, 0, 1, halved,
-                        [&](const rigid::BodyPairs& now, const std::vector<rigid::Arc>& arcs) {
-                          const std::vector<BodyPair> some = candidates.on(now, arcs);
-                          all.insert(all.end(), some.begin(), some.end());
-                        });
+  rigid::for_each_piece(bodies, motions, near, until, 0, 1, halved, [&](const std::vector<rigid::PairOnArcs>& now) {
+    const std::vector<BodyPair> some = candidates.on(now);
+    all.insert(all.end(), some.begin(), some.end());
+  });
   std::sort(all.begin(), all.end());
   return all;
 }

@@ -95,7 +95,7 @@ BodyScrewAnswer decide(const Bodies& bodies, const CollidingBodies& colliding, c
   const std::vector<ScrewArcs> screws = screws_of(bodies, motions);
   Candidates candidates(bodies, options);
   for (int piece = 0; piece < kArcs && static_cast<double>(piece) / kArcs <= result.contact_by; ++piece) {
-    ask(bodies, motions, options, candidates.on(near, arcs_of_piece(bodies, screws, piece)), result.pairs);
+    ask(bodies, motions, options, candidates.on(on_arcs(near, arcs_of_piece(bodies, screws, piece))), result.pairs);
     for (const BodyScrewContact& one : result.pairs) {
       if (one.answer.verdict != ScrewVerdict::contact) continue;
       result.verdict = ScrewVerdict::contact;

@@ -24,6 +24,15 @@ BodyPairs near_bodies(const Bodies& bodies, const CollidingBodies& colliding, co
 /// The arcs of all bodies from one time to another one. @param motions  valid
 std::vector<Arc> arcs_of(const Bodies& bodies, const std::vector<RigidMotion>& motions, double from, double to);
 
+/// Two bodies, and their arcs in a piece of a step.
+struct PairOnArcs {
+  std::array<BodyIndex, 2> bodies;
+  std::array<Arc, 2> arcs;
+};
+
+/// @param arcs  by body
+std::vector<PairOnArcs> on_arcs(const BodyPairs& pairs, const std::vector<Arc>& arcs);
+
 /// The pairs of elements that come near each other in pieces of a step, each of them once.
 class Candidates {
  public:
@@ -31,8 +40,7 @@ class Candidates {
 
   /// Those of a piece that were in none before it, in ascending order.
   /// @param near  the pairs of bodies to ask about
-  /// @param arcs  by body: its motion in the piece
-  std::vector<BodyPair> on(const BodyPairs& near, const std::vector<Arc>& arcs);
+  std::vector<BodyPair> on(const std::vector<PairOnArcs>& near);
 
  private:
   const Bodies& bodies_;

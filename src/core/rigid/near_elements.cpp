@@ -182,7 +182,7 @@ class Search {
     for (std::size_t i = 0; i < one.count(); ++i) {
       const Vec3& point = moving.body.points[one.corners[i]];
       ends[i] = moving.arc.ends_of(point);
-      reach = std::max(reach, reach_of({{point.x, point.y, point.z}, {point.x, point.y, point.z}}));
+      reach = std::max(reach, moving.arc.reach_of(point));
       if (margins_.radii) radius = std::max(radius, radius_of(mesh, &one.corners[i], 1));
     }
     const double deviation = moving.arc.deviation(reach);

@@ -14,7 +14,7 @@
 
 namespace touchstone::rigid {
 
-/// A body on an arc.
+/// A body on an arc. Two of them are on arcs about their own origins, or on those of turn_together.
 struct BodyOnArc {
   BodyIndex number;
   const Body::Impl& body;
