@@ -288,6 +288,7 @@ TEST_CASE("a separation within a part leaves out its own neighbours, counts them
   CHECK(checked.status == 0);
   CHECK(count == std::to_string(occurrences(folder.read("proved/motion.txt"), "\ntouching ")));
   CHECK(occurrences(checked.out, ", " + count + " pairs asked about touching alone\n") == 1);
+  CHECK(occurrences(proved.out, "itself; asked about touching alone: " + count + " pairs\n") == 1);
 
   check_refused(mesh(with({"--self", "1"}, files)), "--self requires --separation");
   check_refused(wide({"--self", "0"}), "must be greater than 0");

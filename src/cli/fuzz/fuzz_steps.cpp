@@ -122,8 +122,7 @@ int run_fuzz_steps(const FuzzStepsOptions& options) {
   if (!options.out.empty() && !findings.empty()) write_steps(options.out, findings);
   const std::string who = options.command.empty() ? "touchstone" : io::printable(options.command);
   std::string left_out;
-  if (!search.separations) left_out += "; separations were left out";
-  if (!search.groups) left_out += "; groups were left out";
+  for (const std::string& what : fuzz::left_out_by(search)) left_out += "; " + what + " were left out";
   std::string summary =
       fmt::format("{}: {} asked, {} with a wrong reply{}{}\n", who, io::counted(outcome.scenes, "step"),
                   grouped(outcome.failures), left_out, outcome.stopped ? "; interrupted" : "");

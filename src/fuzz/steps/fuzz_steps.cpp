@@ -87,6 +87,13 @@ SceneOutcome<StepScene> search_steps(const std::function<StepSolver()>& new_solv
   return outcome;
 }
 
+std::vector<std::string> left_out_by(const StepFuzzOptions& options) {
+  std::vector<std::string> left_out;
+  if (!options.separations) left_out.push_back("separations");
+  if (!options.groups) left_out.push_back("groups");
+  return left_out;
+}
+
 StepFuzzFinding finding_of(const StepFinding& finding) {
   const StepScene& scene = finding.scene;
   return {finding.failure.failure,
@@ -171,8 +178,7 @@ StepFuzzReport fuzz_steps(const StepSolver& solver, const StepFuzzOptions& optio
   report.steps = outcome.scenes;
   report.failures = outcome.failures;
   report.kinds_of_failure = outcome.kinds_of_failure;
-  if (!options.separations) report.left_out.push_back("separations");
-  if (!options.groups) report.left_out.push_back("groups");
+  report.left_out = fuzz::left_out_by(options);
   report.stopped = outcome.stopped;
   for (const fuzz::StepFinding& finding : outcome.findings) report.findings.push_back(fuzz::finding_of(finding));
   return report;

@@ -4,6 +4,7 @@
 
 #include <functional>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include <touchstone/fuzz.hpp>
@@ -26,6 +27,9 @@ families::StepScene step_of(const SceneCase& name, const StepFuzzOptions& option
 SceneOutcome<families::StepScene> search_steps(const std::function<StepSolver()>& new_solver,
                                                const StepFuzzOptions& options, const std::optional<SceneCase>& a_case,
                                                const SceneWatch& watch);
+
+/// As in StepFuzzReport.
+std::vector<std::string> left_out_by(const StepFuzzOptions& options);
 
 /// A finding as the library gives it.
 StepFuzzFinding finding_of(const StepFinding& finding);

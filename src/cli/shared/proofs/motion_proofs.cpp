@@ -146,10 +146,16 @@ std::string MotionProofs::summary() const {
   const std::string answer = pairs_ == 0      ? "no two elements that are asked about come near enough to need a proof"
                              : contacts_ == 0 ? "no contact"
                                               : counted(contacts_, "contact");
-  const bool are_all_asked = prover_.elements().groups.ignored.empty();
-  return fmt::format("{} in {} proved in {}: {}{}\n", counted(pairs_, "pair"), counted(frames_ - 1, "step"),
-                     io::printable(folder_.string()), answer,
-                     are_all_asked ? "" : "; pairs that were left out have no proof");
+  const proofs::MotionElements& all = prover_.elements();
+  std::string not_asked = "whether the first frame intersects itself", touching;
+  if (!all.groups.ignored.empty()) not_asked += ", " + counted(all.groups.ignored.size(), "pair") + " of groups";
+  for (const std::string& some :
+       {all.touching.empty() ? "" : counted(all.touching.size(), "pair"),
+        all.radii.near.empty() ? "" : counted(all.radii.near.size(), "pair") + " of neighbours"}) {
+    if (!some.empty()) touching += (touching.empty() ? "; asked about touching alone: " : ", ") + some;
+  }
+  return fmt::format("{} in {} proved in {}: {}; not asked: {}{}\n", counted(pairs_, "pair"),
+                     counted(frames_ - 1, "step"), io::printable(folder_.string()), answer, not_asked, touching);
 }
 
 }  // namespace touchstone::cli
