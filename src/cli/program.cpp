@@ -32,6 +32,7 @@
 #include "cli/report/report.hpp"
 #include "cli/scenes/scenes.hpp"
 #include "cli/shared/build_facts.hpp"
+#include "cli/shared/command_line/typed_command.hpp"
 #include "cli/shared/nearest_name.hpp"
 #include "cli/shared/progress/interrupt.hpp"
 #include "cli/shared/words.hpp"
@@ -225,6 +226,7 @@ int parse_and_run(int argc, const char* const* argv) {
 
 int run_program(int argc, const char* const* argv) {
   try {
+    remember_command(argc, argv);
     return parse_and_run(argc, argv);
   } catch (const Interrupted&) {
     throw;

@@ -3,6 +3,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -45,11 +46,16 @@ struct AnimationShape {
   std::vector<std::array<std::uint32_t, 2>> edges;
   std::vector<std::array<std::uint32_t, 3>> faces;
   std::vector<std::uint32_t> points;        ///< vertices that are drawn as dots
+  std::vector<float> radii;                 ///< by vertex, of its edges without a face, and of its dot; empty: all thin
   std::string vertex_name;                  ///< "particle"
   std::vector<std::uint32_t> face_numbers;  ///< of each face; empty: they are counted
   bool edges_have_numbers = true;           ///< false: edges are named by their corners
 
   std::size_t vertex_count() const noexcept;
+  /// Of an edge without a face, or of a dot, whose ends are equal: the lesser one of its ends.
+  double radius(std::uint32_t a, std::uint32_t b) const noexcept {
+    return radii.empty() ? 0 : std::min(radii[a], radii[b]);
+  }
   /// The numbers of the edges that are no border of a face: cables and wires.
   std::vector<std::uint32_t> edges_without_face() const;
 

@@ -10,6 +10,7 @@
 #include <limits>
 #include <vector>
 
+#include "view/flip_book.hpp"
 #include "view/pages/html.hpp"
 #include "view/surfaces.hpp"
 
@@ -19,8 +20,7 @@ namespace {
 constexpr std::size_t kMostDrawn = 5000;        // elements of a frame
 constexpr std::size_t kMostInMotion = 400'000;  // elements of all frames of a moving picture
 constexpr std::size_t kMostFrames = 32;
-constexpr double kWide = 1280, kTall = 800;  // units of the picture: coordinates are rounded to them
-constexpr double kSecondsPerFrame = 0.1;
+constexpr int kWide = 1280, kTall = 800;  // units of the picture: coordinates are rounded to them
 
 /// The frame that the still picture shows.
 std::size_t frame_of_still(const Animation& animation) {
@@ -41,7 +41,8 @@ class Painter {
         view_(view),
         hues_(hues_of(animation)),
         bare_(animation.shape().edges_without_face()),
-        scale_(0.92 * std::min(kWide / 2 / std::max(view.reach[0], 0.1), kTall / 2 / std::max(view.reach[1], 0.1))) {}
+        scale_(0.92 *
+               std::min(kWide / 2.0 / std::max(view.reach[0], 0.1), kTall / 2.0 / std::max(view.reach[1], 0.1))) {}
 
   std::size_t elements() const noexcept {
     return std::min(animation_.shape().faces.size(), kMostDrawn) + std::min(bare_.size(), kMostDrawn) +
@@ -61,13 +62,10 @@ class Painter {
     // A line or a dot lies before the faces that it is in.
     for (std::size_t i = 0; i < bare_.size(); i += every(bare_.size())) {
       const auto& [a, b] = shape.edges[bare_[i]];
-      all.push_back({std::max(seen_[a][2], seen_[b][2]),
-                     fmt::format("class=\"l\" stroke=\"{}\"", name(lit(kHues[hues_[a]], 0.8))), path_of(a, b)});
+      add_line(all, a, b, "l", 4);
     }
     for (std::size_t i = 0; i < shape.points.size(); i += every(shape.points.size())) {
-      const std::uint32_t v = shape.points[i];
-      all.push_back(
-          {seen_[v][2], fmt::format("class=\"p\" stroke=\"{}\"", name(lit(kHues[hues_[v]], 0.8))), path_of(v, v)});
+      add_line(all, shape.points[i], shape.points[i], "p", 12);
     }
     std::stable_sort(all.begin(), all.end(), [](const Drawn& a, const Drawn& b) { return a.height < b.height; });
     // Neighbours that look alike are one path.
@@ -97,7 +95,7 @@ class Painter {
   std::array<long, 2> on_page(const Triple& seen) const {
     static constexpr double kFar = 1e6;  // what is cut off may be as far away as doubles go
     const auto unit = [](double x) { return std::isnan(x) ? 0L : std::lround(std::clamp(x, -kFar, kFar)); };
-    return {unit(kWide / 2 + scale_ * seen[0]), unit(kTall / 2 - scale_ * seen[1])};
+    return {unit(kWide / 2.0 + scale_ * seen[0]), unit(kTall / 2.0 - scale_ * seen[1])};
   }
   /// From one vertex by others, in units of the picture.
   template <class... Vertices>
@@ -112,19 +110,39 @@ class Painter {
     return text;
   }
 
-  /// Lit from above, as the page's script does.
+  /// A line, or a dot whose ends are equal: as thick as its radius, or `least` where that is less. A thick one has a
+  /// rim, so that strands that cross are told apart; the rim ends with the line, which other lines go on from.
+  void add_line(std::vector<Drawn>& all, std::uint32_t a, std::uint32_t b, const char* look, long least) const {
+    const double height = std::max(seen_[a][2], seen_[b][2]);
+    const Colour& hue = kHues[hues_[a]];
+    const long width = std::lround(2 * scale_ / view_.radius * animation_.shape().radius(a, b));
+    const std::string path = path_of(a, b);
+    if (width <= least) {
+      all.push_back({height, fmt::format("class=\"{}\" stroke=\"{}\"", look, name(lit(hue, 0.8))), path});
+      return;
+    }
+    const std::string style = fmt::format("class=\"{}\" style=\"stroke-width:", look);
+    const char* const cap = a == b ? "" : ";stroke-linecap:butt";
+    all.push_back({height, fmt::format("{}{}{}\" stroke=\"{}\"", style, width + 2, cap, name(lit(hue, 0.55))), path});
+    all.push_back({height, fmt::format("{}{}\" stroke=\"{}\"", style, width, name(lit(hue, 0.95))), path});
+  }
+
+  /// Lit as the page's script does it.
   Drawn face(const std::array<std::uint32_t, 3>& corners) const {
     const Triple &a = seen_[corners[0]], &b = seen_[corners[1]], &c = seen_[corners[2]];
     const Triple u{b[0] - a[0], b[1] - a[1], b[2] - a[2]}, v{c[0] - a[0], c[1] - a[1], c[2] - a[2]};
     Triple n{u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]};
     const double size = std::max(std::hypot(n[0], n[1], n[2]), std::numeric_limits<double>::min());
     const double side = n[2] < 0 ? -1 / size : 1 / size;
-    const double light = 0.45 + 0.55 * std::max(0.0, side * (-0.3 * n[0] + 0.5 * n[1] + 0.81 * n[2]));
+    const double light = std::min(
+        1.0, 0.65 + side * (0.1 * (view_.basis[0][2] * n[0] + view_.basis[1][2] * n[1] + view_.basis[2][2] * n[2])) +
+                 0.35 * std::max(0.0, side * (-0.3 * n[0] + 0.5 * n[1] + 0.81 * n[2])));
     // A floor is large, and lies behind what is on it: what is at rest counts by its farthest corner.
     const std::uint8_t hue = hues_[corners[0]];
-    return {hue == 0 ? std::min({a[2], b[2], c[2]}) : (a[2] + b[2] + c[2]) / 3,
-            fmt::format("fill=\"{}\"", name(lit(kHues[hue], std::min(light, 1.0)))),
-            path_of(corners[0], corners[1], corners[2]) + "z"};
+    const std::string fill = fmt::format("fill=\"{}\"", name(lit(kHues[hue], light)));
+    const std::string path = path_of(corners[0], corners[1], corners[2]) + "z";
+    if (hue != 0) return {(a[2] + b[2] + c[2]) / 3, fill, path};
+    return {std::min({a[2], b[2], c[2]}), fmt::format("{} class=\"r\" style=\"--light:{:.2f}\"", fill, light), path};
   }
 
   /// Of the pairs that are listed, and meet after the frame before.
@@ -154,12 +172,12 @@ class Painter {
 std::string still_of(const Animation& animation, const AnimationView& view) {
   const std::size_t shown = frame_of_still(animation);
   return fmt::format(
-      "<svg class=\"still\" viewBox=\"0 0 {:.0f} {:.0f}\" role=\"img\" aria-label=\"A still picture of frame {}\">\n"
+      "<svg class=\"still frame\" viewBox=\"0 0 {} {}\" role=\"img\" aria-label=\"A still picture of frame {}\">\n"
       "{}</svg>\n",
       kWide, kTall, animation.frames()[shown].number, Painter(animation, view).frame(shown));
 }
 
-std::string moving_svg(const Animation& animation, const std::string& title) {
+std::string moving_svg(const Animation& animation, const std::string& title, const std::string& about) {
   const AnimationView view = view_of(animation);
   Painter painter(animation, view);
   const std::size_t frames = animation.frames().size(), still = frame_of_still(animation);
@@ -169,23 +187,16 @@ std::string moving_svg(const Animation& animation, const std::string& title) {
     if (stride >= frames) break;
   }
   const std::size_t shown = (frames - 1) / stride + 1;
-  const double length = kSecondsPerFrame * static_cast<double>(shown);
-  std::string text = fmt::format(
-      "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {:.0f} {:.0f}\" role=\"img\">\n<title>{}</title>\n"
-      "<style>path{{stroke-linejoin:round;stroke-linecap:round}}path[fill]{{stroke:#0003}}.l{{fill:none;stroke-width:4}"
-      "}\n"
-      ".p{{stroke-width:12}}.m{{stroke:#a8487f;stroke-width:14}}\n"
-      ".f{{visibility:hidden;animation:show {:.2f}s steps(1) infinite}}.s{{visibility:visible}}\n"
-      "@keyframes show{{0%{{visibility:visible}}{:.4f}%{{visibility:hidden}}100%{{visibility:hidden}}}}\n"
-      "@media(prefers-reduced-motion:reduce){{.f{{animation:none}}}}</style>\n",
-      kWide, kTall, escaped(title), length, 100 / static_cast<double>(shown));
-  for (std::size_t k = 0; k < shown; ++k) {
-    const std::size_t number = k * stride;
-    text += fmt::format("<g class=\"f{}\" style=\"animation-delay:{:.2f}s\">\n{}</g>\n",
-                        number == still / stride * stride ? " s" : "",
-                        kSecondsPerFrame * static_cast<double>(k) - length, painter.frame(number));
-  }
-  return text + "</svg>\n";
+  FlipBook book;
+  book.width = kWide;
+  book.height = kTall;
+  book.title = title;
+  book.about = about;
+  book.attributes = " class=\"frame\"";
+  book.style = page_file("colours.css") + page_file("frame.css");
+  book.still = still / stride;
+  for (std::size_t k = 0; k < shown; ++k) book.frames.push_back(painter.frame(k * stride));
+  return svg_file(book);
 }
 
 }  // namespace touchstone::view

@@ -7,9 +7,12 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 #include "view/basis.hpp"
+#include "view/flip_book.hpp"
+#include "view/pages/html.hpp"
 
 namespace touchstone::view {
 namespace {
@@ -28,23 +31,35 @@ class Projected {
   }
 
   Point corner(std::size_t i, double s) const {
+    return at(s, i >= picture_["first"].get<std::size_t>(), vector_at(picture_["corners"][i], s));
+  }
+
+  /// The point of an element that is closest to the other one at s = 0.
+  Point marked(bool second, double s) const { return at(s, second, {}); }
+
+ private:
+  Point at(double s, bool second, const Double3& offset) const {
     const double w = polynomial_at(picture_["denominator"], s);
     Double3 position = vector_at(picture_["carrier"], s);
-    const Double3 offset = vector_at(picture_["corners"][i], s), gap = vector_at(picture_["gap"], s);
-    const bool second = i >= picture_["first"].get<std::size_t>();
+    const Double3 gap = vector_at(picture_["gap"], s);
     for (std::size_t k = 0; k < 3; ++k) position[k] = (position[k] + offset[k] + (second ? gap[k] : 0)) / w;
     return {dot_product(position, axes_[0]), -dot_product(position, axes_[1])};
   }
 
- private:
   const nlohmann::json& picture_;
   std::array<Double3, 2> axes_{};
 };
 
-/// Lengths of the picture to units of the SVG: 640 by 400.
+constexpr int kWidth = 640, kHeight = 400;
+constexpr int kSteps = 30;  // of a path, and of a moving picture
+constexpr double kSecondsOfMeeting = 1.5;
+
+/// Lengths of the picture to units of the SVG.
 struct Frame {
   double scale, x, y;
-  Point operator()(const Point& p) const { return {320 + (p.x - x) * scale, 200 + (p.y - y) * scale}; }
+  Point operator()(const Point& p) const {
+    return {kWidth / 2.0 + (p.x - x) * scale, kHeight / 2.0 + (p.y - y) * scale};
+  }
 };
 
 Frame frame_of(const std::vector<Point>& points) {
@@ -63,56 +78,134 @@ std::string polygon(const std::vector<Point>& points, const char* element, const
   return text + "\"/>\n";
 }
 
-std::string dot(const Point& p, double radius, const char* element, const char* state) {
-  return fmt::format("<circle class=\"{} {}\" cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"{}\"/>\n", element, state, p.x, p.y,
-                     radius);
+std::string dot(const Point& p, double radius, const char* look) {
+  return fmt::format("<circle class=\"{}\" cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"{}\"/>\n", look, p.x, p.y, radius);
 }
+
+/// Draws the elements of a picture at its times.
+class Drawing {
+ public:
+  explicit Drawing(const nlohmann::json& picture)
+      : picture_(picture),
+        projected_(picture),
+        count_(picture["corners"].size()),
+        first_(picture["first"].get<std::size_t>()),
+        start_(picture["marks"].front()["s"].get<double>()),
+        end_(picture["marks"].back()["s"].get<double>()) {
+    std::vector<Point> all;
+    for (const double s : times()) {
+      for (std::size_t i = 0; i < count_; ++i) all.push_back(projected_.corner(i, s));
+    }
+    frame_ = frame_of(all);
+  }
+
+  /// From the start to the end, with the time where the elements meet.
+  std::vector<double> times() const {
+    std::vector<double> all{0};
+    for (int step = 0; step <= kSteps; ++step) all.push_back(start_ + (end_ - start_) * step / kSteps);
+    std::sort(all.begin(), all.end());
+    all.erase(std::unique(all.begin(), all.end()), all.end());
+    return all;
+  }
+
+  /// The paths of the corners, and the elements at both ends.
+  std::string whole_step() const {
+    std::string text;
+    for (std::size_t i = 0; i < count_; ++i) {
+      text += "<polyline class=\"path\" points=\"";
+      for (const double s : times()) {
+        const Point p = frame_(projected_.corner(i, s));
+        text += fmt::format("{:.1f},{:.1f} ", p.x, p.y);
+      }
+      text += "\"/>\n";
+    }
+    return text + elements(start_, "then") + elements(end_, "then");
+  }
+
+  std::string now(double s) const {
+    const Point a = frame_(projected_.marked(false, s)), b = frame_(projected_.marked(true, s));
+    std::string text = elements(s, "now");
+    text += fmt::format("<path class=\"gap\" d=\"M{:.1f} {:.1f}L{:.1f} {:.1f}\"/>\n", a.x, a.y, b.x, b.y);
+    for (const auto& [p, look] : {std::pair{a, "a marked"}, std::pair{b, "b marked"}}) text += dot(p, 4, look);
+    if (s == 0) text += dot(a, 9, "meeting");
+    return text + names(s);
+  }
+
+ private:
+  std::vector<Point> corners(bool second, double s) const {
+    std::vector<Point> all;
+    for (std::size_t i = second ? first_ : 0; i < (second ? count_ : first_); ++i) {
+      all.push_back(frame_(projected_.corner(i, s)));
+    }
+    return all;
+  }
+
+  std::string elements(double s, const char* state) const {
+    std::string text;
+    for (const bool second : {false, true}) {
+      const char* const element = second ? "b" : "a";
+      const std::vector<Point> all = corners(second, s);
+      if (all.size() > 1) text += polygon(all, element, state);
+      for (const Point& p : all) text += dot(p, 3.5, fmt::format("{} {}", element, state).c_str());
+    }
+    return text;
+  }
+
+  /// The names stand outside of their elements, and not on each other.
+  std::string names(double s) const {
+    std::string text;
+    std::vector<Point> shown;
+    for (std::size_t i = 0; i < count_; ++i) {
+      const std::vector<Point> own = corners(i >= first_, s);
+      const Point p = own[i < first_ ? i : i - first_];
+      Point out{0, 0};
+      for (const Point& q : own) out = {out.x + p.x - q.x, out.y + p.y - q.y};
+      const double size = std::hypot(out.x, out.y);
+      out = size > 1e-3 ? Point{out.x / size, out.y / size} : Point{0.6, i < first_ ? -0.8 : 0.8};
+      Point at{std::clamp(p.x + 23 * out.x, 14.0, kWidth - 14.0), std::clamp(p.y + 21 * out.y, 14.0, kHeight - 14.0)};
+      const auto is_near = [&at](const Point& q) { return std::abs(q.x - at.x) < 22 && std::abs(q.y - at.y) < 15; };
+      while (std::any_of(shown.begin(), shown.end(), is_near)) at.y += 15;
+      shown.push_back(at);
+      text += fmt::format("<text class=\"{}\" x=\"{:.1f}\" y=\"{:.1f}\">{}</text>\n", i < first_ ? "a" : "b", at.x,
+                          at.y + 5, picture_["names"][i].get<std::string>());
+    }
+    return text;
+  }
+
+  const nlohmann::json& picture_;
+  Projected projected_;
+  std::size_t count_, first_;
+  double start_, end_;
+  Frame frame_{};
+};
 
 }  // namespace
 
 std::string still_of(const nlohmann::json& picture) {
-  const Projected projected(picture);
-  const std::size_t count = picture["corners"].size(), first = picture["first"].get<std::size_t>();
-  const double end = picture["marks"].back()["s"].get<double>(), start = picture["marks"].front()["s"].get<double>();
-  std::vector<Point> all;
-  for (const double s : {start, 0.0, end}) {
-    for (std::size_t i = 0; i < count; ++i) all.push_back(projected.corner(i, s));
-  }
-  const Frame frame = frame_of(all);
+  const Drawing drawing(picture);
+  return fmt::format(
+      "<svg class=\"still\" viewBox=\"0 0 {} {}\" role=\"img\" aria-label=\"The two elements at the start, at the "
+      "end, and where they meet or come closest\">\n{}{}</svg>\n",
+      kWidth, kHeight, drawing.whole_step(), drawing.now(0));
+}
 
-  std::string paths, elements, names;
-  for (std::size_t i = 0; i < count; ++i) {
-    constexpr int kSteps = 24;
-    paths += "<polyline class=\"path\" points=\"";
-    for (int step = 0; step <= kSteps; ++step) {
-      const Point p = frame(projected.corner(i, start + (end - start) * step / kSteps));
-      paths += fmt::format("{:.1f},{:.1f} ", p.x, p.y);
-    }
-    paths += "\"/>\n";
+std::string moving_svg(const nlohmann::json& picture, const std::string& title, const std::string& about) {
+  const Drawing drawing(picture);
+  FlipBook book;
+  book.width = kWidth;
+  book.height = kHeight;
+  book.title = title;
+  book.about = about;
+  book.attributes = " class=\"still\"";
+  book.style = page_file("colours.css") + page_file("still.css");
+  book.background =
+      fmt::format("<rect class=\"paper\" width=\"{}\" height=\"{}\"/>\n", kWidth, kHeight) + drawing.whole_step();
+  book.seconds_of_still = kSecondsOfMeeting;
+  for (const double s : drawing.times()) {
+    if (s == 0) book.still = book.frames.size();
+    book.frames.push_back(drawing.now(s));
   }
-  for (const auto& [s, state] : {std::pair{start, "then"}, std::pair{end, "then"}, std::pair{0.0, "now"}}) {
-    for (const bool second : {false, true}) {
-      const char* const element = second ? "b" : "a";
-      std::vector<Point> corners;
-      for (std::size_t i = second ? first : 0; i < (second ? count : first); ++i) {
-        corners.push_back(frame(projected.corner(i, s)));
-      }
-      if (corners.size() > 1) elements += polygon(corners, element, state);
-      for (const Point& p : corners) elements += dot(p, s == 0.0 ? 4 : 2.5, element, state);
-    }
-  }
-  Point meeting{0, 0};
-  for (std::size_t i = 0; i < count; ++i) {
-    const Point p = frame(projected.corner(i, 0));
-    const double weight = picture["weights"][i].get<double>();
-    if (i < first) meeting = {meeting.x + weight * p.x, meeting.y + weight * p.y};
-    names += fmt::format("<text class=\"{}\" x=\"{:.1f}\" y=\"{:.1f}\">{}</text>\n", i < first ? "a" : "b",
-                         std::clamp(p.x + 9, 4.0, 610.0), std::clamp(p.y - 9, 14.0, 392.0),
-                         picture["names"][i].get<std::string>());
-  }
-  return "<svg class=\"still\" viewBox=\"0 0 640 400\" role=\"img\" aria-label=\"The two elements at the start, at the "
-         "end, and where they meet or come closest\">\n" +
-         paths + elements + dot(meeting, 7, "meeting", "now") + names + "</svg>\n";
+  return svg_file(book);
 }
 
 }  // namespace touchstone::view

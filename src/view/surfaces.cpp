@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <map>
 #include <numeric>
+#include <optional>
 
 namespace touchstone::view {
 namespace {
@@ -27,6 +29,37 @@ class Connected {
  private:
   std::vector<std::uint32_t> above_;
 };
+
+/// The root of the set of vertices that is much larger than all others in the first frame, as a floor is, if there is
+/// one.
+std::optional<std::uint32_t> floor_of(const Animation& animation, Connected& connected,
+                                      const std::vector<char>& drawn) {
+  constexpr double kLarger = 2;
+  struct Extent {
+    Triple low, high;
+  };
+  std::map<std::uint32_t, Extent> boxes;
+  for (std::uint32_t v = 0; v < drawn.size(); ++v) {
+    if (drawn[v] == 0) continue;
+    const Triple x = animation.frames().front().drawn.position(v);
+    Extent& box = boxes.try_emplace(connected.root(v), Extent{x, x}).first->second;
+    for (std::size_t k = 0; k < 3; ++k) {
+      box.low[k] = std::min(box.low[k], x[k]);
+      box.high[k] = std::max(box.high[k], x[k]);
+    }
+  }
+  double largest = 0, next = 0;
+  std::optional<std::uint32_t> floor;
+  for (const auto& [root, box] : boxes) {
+    const double size = std::hypot(box.high[0] - box.low[0], box.high[1] - box.low[1], box.high[2] - box.low[2]);
+    next = std::max(next, std::min(size, largest));
+    if (size > largest) {
+      largest = size;
+      floor = root;
+    }
+  }
+  return boxes.size() > 1 && largest > kLarger * next ? floor : std::nullopt;
+}
 
 }  // namespace
 
@@ -69,13 +102,14 @@ std::vector<std::uint8_t> hues_of(const Animation& animation) {
     any_moves[connected.root(v)] = 1;
     something_moves = true;
   }
+  const auto floor = something_moves ? std::nullopt : floor_of(animation, connected, drawn);
   std::vector<std::uint8_t> hues(moves.size(), 0);
   std::size_t sets = 0;
   for (std::uint32_t v = 0; v < hues.size(); ++v) {
     const std::uint32_t root = connected.root(v);
     if (root != v) {
       hues[v] = hues[root];  // a root comes before its vertices
-    } else if (drawn[v] != 0 && (any_moves[v] != 0 || !something_moves)) {
+    } else if (drawn[v] != 0 && (any_moves[v] != 0 || (!something_moves && v != floor))) {
       hues[v] = static_cast<std::uint8_t>(1 + sets++ % (kHues.size() - 1));
     }
   }

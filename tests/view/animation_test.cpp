@@ -183,7 +183,7 @@ TEST_CASE("names of an animation are text, and elements are named by their part"
   CHECK(text.find("<p>html</p>") != std::string::npos);
   // The still picture has the triangle, the edge and the mark.
   CHECK(text.find("<path class=\"m\"") != std::string::npos);
-  const std::string alone = moving_svg(animation, words.title);
+  const std::string alone = moving_svg(animation, words.title, words.subtitle);
   CHECK(alone.find("<script>") == std::string::npos);
 }
 
@@ -204,6 +204,11 @@ TEST_CASE("each surface and each named group has its hue, and what is at rest is
   Animation at_rest(shape, {});
   at_rest.add_frame(0, 0, start, {});
   CHECK(hues_of(at_rest) == std::vector<std::uint8_t>{1, 1, 1, 2, 2, 2, 3, 3, 0, 4, 4, 4, 4});
+  // A floor: more than twice as large as all else.
+  start[0] = -20;
+  Animation on_floor(shape, {});
+  on_floor.add_frame(0, 0, start, {});
+  CHECK(hues_of(on_floor) == std::vector<std::uint8_t>{0, 0, 0, 1, 1, 1, 2, 2, 0, 3, 3, 3, 3});
 }
 
 TEST_CASE("a moving picture shows each frame once, from back to front, and only so many") {
@@ -215,7 +220,7 @@ TEST_CASE("a moving picture shows each frame once, from back to front, and only 
     const auto t = static_cast<double>(i);
     animation.add_frame(t, i, {-1, 0, 0, 1, 0, 0, 0, 0, 1, -1, -1, 0, 1, -1, 0, 0, -1, 1 + 0.01 * t}, {});
   }
-  const std::string text = moving_svg(animation, "a & b");
+  const std::string text = moving_svg(animation, "a & b", "");
   std::size_t frames = 0;
   for (std::size_t at = text.find("<g class=\"f"); at != std::string::npos; at = text.find("<g class=\"f", at + 1)) {
     ++frames;
@@ -230,6 +235,36 @@ TEST_CASE("a moving picture shows each frame once, from back to front, and only 
   std::size_t same = 0;
   for (std::size_t at = text.find(behind); at != std::string::npos; at = text.find(behind, at + 1)) ++same;
   CHECK(same == frames);
+}
+
+TEST_CASE("lines and dots are as thick as their radii, to scale, and never thinner than others") {
+  const auto widths = [](float radius) {
+    AnimationShape shape;
+    shape.groups = {{"", 3, 1, 0}};
+    shape.edges = {{0, 1}};
+    shape.points = {2};
+    shape.radii = {radius, 2 * radius, radius};
+    Animation animation(shape, {});
+    animation.add_frame(0, 0, {-1, 0, 0, 1, 0, 0, 0, 0, 1}, {});
+    const std::string text = moving_svg(animation, "", "");
+    std::vector<long> found;
+    const std::string start = "style=\"stroke-width:";
+    for (std::size_t at = text.find(start); at != std::string::npos; at = text.find(start, at + 1)) {
+      found.push_back(std::stol(text.substr(at + start.size())));
+    }
+    return found;
+  };
+  CHECK(widths(0).empty());
+  CHECK(widths(1e-4F).empty());
+  const std::vector<long> thick = widths(0.05F), thicker = widths(0.1F);
+  REQUIRE(thick.size() == 4);  // each with its rim
+  REQUIRE(thicker.size() == 4);
+  // The line is 2 long and holds the width of the picture; its lesser radius counts.
+  CHECK(std::abs(static_cast<double>(thick[1]) - 0.05 * 0.92 * 1280) < 8);
+  for (std::size_t i = 1; i < 4; i += 2) {
+    CHECK(std::abs(thicker[i] - 2 * thick[i]) <= 1);
+    CHECK(thick[i - 1] == thick[i] + 2);
+  }
 }
 
 TEST_CASE("a picture in a plane is seen from above, and every first view is a rotation") {

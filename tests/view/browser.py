@@ -107,12 +107,14 @@ class Browser:
             else:
                 return answer["result"]
 
-    def window(self, width, height, dark=False, touch=False):
-        """The size of the page, its colours, and whether it is touched by fingers."""
+    def window(self, width, height, dark=False, touch=False, moves=False):
+        """The size of the page, its colours, whether it is touched by fingers, and whether pages may play by
+        themselves."""
         self.command("Emulation.setDeviceMetricsOverride", width=width, height=height, deviceScaleFactor=1, mobile=touch)
         self.command("Emulation.setTouchEmulationEnabled", enabled=touch)
         self.command("Emulation.setEmulatedMedia",
-                     features=[{"name": "prefers-color-scheme", "value": "dark" if dark else "light"}])
+                     features=[{"name": "prefers-color-scheme", "value": "dark" if dark else "light"},
+                               {"name": "prefers-reduced-motion", "value": "no-preference" if moves else "reduce"}])
 
     def open(self, path):
         """Opens a file and waits until its scripts have run."""

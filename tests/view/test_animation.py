@@ -212,8 +212,8 @@ class Animations(pages.Pages):
         self.page.evaluate("%s.camera.turn(0.3, 0)" % VIEWER)
         self.page.evaluate("%s.draw()" % VIEWER)
         state = "[%s.s, %s.zoom, ...%s.camera.basis.flat()]" % (VIEWER, VIEWER, VIEWER)
+        self.page.wait("location.hash.includes('t=0.25&zoom=1.5')")
         before, address = self.page.evaluate(state), self.page.evaluate("location.href")
-        self.assertIn("#t=0.25", address)
         self.page.command("Page.navigate", url="about:blank")
         self.page.open_address(address)
         for a, b in zip(before, self.page.evaluate(state)):
@@ -221,6 +221,73 @@ class Animations(pages.Pages):
         self.page.command("Page.navigate", url="about:blank")
         self.page.open_address(address.split("#")[0] + "#t=NaN&zoom=x&from=1,2,3")
         self.assertRegex(self.readout(), r"^frame 1 .*t = 0\.625\. Marks: 1 contact")
+
+    def test_it_plays_to_the_first_contact_and_rests_there(self):
+        self.page.window(1280, 720, moves=True)
+        url = self.page_of_frames([obj(1), obj(-1)])
+        self.page.evaluate("window.seen = new Set(), setInterval(() => seen.add(%s.s), 10)" % VIEWER)
+        self.page.wait("!%s.timeline.playing" % VIEWER)
+        self.assertRegex(self.readout(), r"^frame 1 .*t = 0\.625\. Marks: 1 contact")
+        self.assertGreater(self.page.evaluate("seen.size"), 1)
+        # Without a contact it plays to the end.
+        self.page_of_frames([obj(2), obj(1)])
+        self.page.wait("!%s.timeline.playing" % VIEWER)
+        self.assertRegex(self.readout(), r"^frame 1 .*t = 1\. ")
+        self.page.requests.clear()
+
+    def test_the_command_of_the_page_repeats_it(self):
+        url = self.page_of_frames([obj(1), obj(-1)], name="it's $HOME")
+        self.assertTrue(self.text("header p").startswith("Is each step between neighbouring frames free of contact?"))
+        self.check_quiet(url)
+        self.repeat_command(self.path("page.html"))
+
+    def test_the_picture_is_saved(self):
+        url = self.page_of_frames([obj(1), obj(-1)])
+        name, size, start, words = self.saved_picture()
+        self.assertRegex(name, r"frame-0\.obj-to-.*frame-1\.obj\.png$")
+        self.assertEqual(size, self.page.evaluate("[%s.width, %s.height]" % (CANVAS, CANVAS)))
+        self.assertEqual(start, "data:image/png;base64,iVBOR")
+        self.assertEqual(words, 0)
+        self.check_quiet(url)
+
+    def test_a_cable_is_as_thick_as_its_radius(self):
+        counts = []
+        for radius in (0.001, 0.05, 0.1):
+            particles = [{"position": [x, 0, 0.001 * x]} for x in (-1, 0, 1)]
+            cable = {"particles": [0, 1, 2], "radius": radius, "density": 1000, "stretch": 1000}
+            url = self.page_of(json.dumps({"touchstone_scene": 1, "name": "cable", "particles": particles,
+                                           "cables": [cable], "settings": {"time_step": 0.001, "duration": 0.002}}))
+            view = self.page.evaluate("%s.view().pixels" % VIEWER)
+            rows = self.page.pixels(CANVAS)
+            width = len(rows[0])
+            thickness = sum(row[width // 2 + width // 8] != "." for row in rows)
+            counts.append(thickness)
+            self.assertAlmostEqual(thickness, max(3, 2 * radius * view), delta=3 + 0.05 * thickness)
+            self.check_quiet(url)
+        self.assertGreater(counts[2], 1.8 * counts[1])
+        self.assertGreater(counts[1], 3 * counts[0])
+
+    def test_a_floor_at_rest_is_pale_in_the_light_and_in_the_dark(self):
+        colours = []
+        for dark in (False, True):
+            self.page.window(1280, 720, dark=dark)
+            self.page_of(scene("fall"))
+            # The colour that most pixels have.
+            colours.append(self.page.evaluate("""(() => {
+              const from = %s, to = document.createElement('canvas'), counts = new Map();
+              to.width = from.width; to.height = from.height;
+              const context = to.getContext('2d');
+              context.drawImage(from, 0, 0);
+              const data = context.getImageData(0, 0, to.width, to.height).data;
+              for (let i = 0; i < data.length; i += 4) {
+                if (data[i + 3] < 255) continue;
+                const colour = data.slice(i, i + 3).join();
+                counts.set(colour, (counts.get(colour) || 0) + 1);
+              }
+              return [...counts].sort((a, b) => b[1] - a[1])[0][0].split(',').map(Number);
+            })()""" % CANVAS))
+        self.assertTrue(all(190 < c < 250 for c in colours[0]), colours)
+        self.assertTrue(all(30 < c < 110 for c in colours[1]), colours)
 
     def test_names_are_text(self):
         url = self.page_of(scene(NAME))

@@ -123,6 +123,89 @@ class Queries(pages.Pages):
         self.assertEqual(self.page.evaluate("document.querySelectorAll('img').length"), 0)
         self.check_quiet(url)
 
+    def test_the_command_of_the_page_repeats_it_whatever_the_name(self):
+        os.makedirs(self.path("<"), exist_ok=True)
+        for name in ("a.csv", "</script><b>'\"$(touch x)`&\\.csv", "-two\nlines\t.csv"):
+            file = self.write(name, rows_of(falling(2), 1))
+            out = self.path("page's.html")
+            self.run_program("view", "--query", "0", "--kind", "edge-edge", "--out=" + out, file)
+            self.page.requests.clear()
+            url = self.page.open(out)
+            self.assertEqual(self.page.evaluate("document.querySelectorAll('header b').length"), 0)
+            self.assertEqual(self.text("header p"), "Edge a and edge b touch first at t = 0.5.")
+            self.check_quiet(url)
+            self.repeat_command(out)
+        self.assertFalse(os.path.exists("x"))
+
+    def test_it_plays_to_the_contact_and_rests_there(self):
+        self.page.window(1280, 720, moves=True)
+        url = self.page_of("a.csv", falling(2), 1)
+        self.page.evaluate("""window.seen = new Set(), setInterval(() => seen.add(touchstoneViewer.s), 10)""")
+        self.page.wait("!touchstoneViewer.timeline.playing")
+        self.assertIn("t = 0.5, at the contact", self.readout())
+        self.assertGreater(self.page.evaluate("seen.size"), 1)
+        self.page.evaluate("%s.focus()" % CANVAS)
+        self.page.key(" ")  # and from there to the end
+        self.page.wait("!touchstoneViewer.timeline.playing")
+        self.assertIn("t = 1, ", self.readout())
+        self.check_quiet(url)
+
+    def test_the_address_keeps_the_view(self):
+        url = self.page_of("a.csv", falling(ONE_ULP_SHORT), 0)
+        self.page.click_on("[...document.querySelectorAll('button')].find((b) => b.textContent === 'Meeting')")
+        self.page.evaluate("touchstoneViewer.camera.turn(0.3, 0.2)")
+        self.page.evaluate("touchstoneViewer.timeline.step(3)")
+        state = "[touchstoneViewer.s, touchstoneViewer.zoom, ...touchstoneViewer.camera.basis.flat()]"
+        before = self.page.evaluate(state)
+        self.assertGreater(before[0], 0)
+        self.page.wait("location.hash.includes('t=' + touchstoneViewer.s)")
+        address = self.page.evaluate("location.href")
+        self.page.command("Page.navigate", url="about:blank")
+        self.page.window(1280, 720, moves=True)
+        self.page.open_address(address)
+        after = self.page.evaluate(state)
+        self.assertEqual(after[:2], before[:2])  # to the last bit, and at rest
+        for a, b in zip(before, after):
+            self.assertAlmostEqual(a, b, places=6)
+        self.page.command("Page.navigate", url="about:blank")
+        self.page.window(1280, 720)
+        self.page.open_address(url + "#t=x&zoom=NaN&from=1,2,3")
+        self.assertIn("at the closest approach", self.readout())
+
+    def test_the_picture_is_saved_with_its_words(self):
+        url = self.page_of("a.csv", falling(2), 1)
+        name, size, start, words = self.saved_picture()
+        self.assertRegex(name, r"^query-0-of-.*a\.csv.*\.png$")
+        self.assertEqual(size, self.page.evaluate("[%s.width, %s.height]" % (CANVAS, CANVAS)))
+        self.assertEqual(start, "data:image/png;base64,iVBOR")
+        self.assertGreater(words, 500)
+        self.assertLess(words, size[0] * size[1] / 20)
+        self.check_quiet(url)
+
+    def test_a_moving_picture_alone(self):
+        file, out = self.write("a.csv", rows_of(falling(2), 1)), self.path("a.svg")
+        self.run_program("view", "--query", "0", "--kind", "edge-edge", "--svg", out, file)
+        seen = set()
+        shown = "[...document.querySelectorAll('.f')].filter((f) => getComputedStyle(f).visibility === 'visible')"
+        for dark in (False, True):
+            self.page.window(640, 400, dark=dark)
+            self.page.open(out)
+            # Where nothing moves by itself, the contact alone is shown.
+            self.assertEqual(self.page.evaluate(shown + ".map((f) => f.getAttribute('class'))"), ["f s"])
+            colours = ("[...document.querySelectorAll('.paper, .s .a')].map((e) => getComputedStyle(e).fill).join()")
+            seen.add(self.page.evaluate(colours))
+        self.assertEqual(len(seen), 2)
+        self.assertEqual(self.page.evaluate("[...document.querySelectorAll('.s text')].map((t) => t.textContent)"),
+                         ["a0", "a1", "b0", "b1"])
+        self.page.window(640, 400, moves=True)
+        self.page.open(out)
+        self.page.evaluate("window.frames_seen = new Set()")
+        for _ in range(40):
+            frames = self.page.evaluate(shown + ".map((f) => [...f.parentNode.children].indexOf(f))")
+            self.assertLessEqual(len(frames), 1)
+            seen.update(frames)
+        self.assertGreater(len(seen), 4)
+
     def test_dragging_turns_and_the_wheel_zooms(self):
         url = self.page_of("a.csv", falling(2), 1)
         before = self.page.pixels(CANVAS)

@@ -16,7 +16,9 @@
 #include "view/closest_points.hpp"
 #include "view/pages/html.hpp"
 #include "view/pages/query_page.hpp"
+#include "view/pages/story_html.hpp"
 #include "view/picture.hpp"
+#include "view/still.hpp"
 
 using namespace touchstone;
 using nlohmann::json;
@@ -248,10 +250,51 @@ TEST_CASE("planes of proofs keep bodies that turn apart") {
   if (whole_effort("that some of the bodies touch")) CHECK(contacts > 0);
 }
 
+TEST_CASE("a sentence says the answer") {
+  const auto sentence = [](const Query& query, const Separation& separation = {}) {
+    return view::answer_sentence(query.kind, solve(query, {.separation = separation}), 1, separation);
+  };
+  CHECK(sentence(falling(1)) == "Edge a and edge b touch first at t = 0.5.");
+  CHECK(sentence(falling(1 - 0x1p-53)) ==
+        "Edge a and edge b do not touch for t in [0, 1]; the marks are where they come closest.");
+  CHECK(sentence(falling(1), {0.25}) == "Edge a and edge b come within 0.25 first at t = 0.375.");
+  const Query apart = PointPoint{{Vec3{0, 0, 0}, Vec3{1, 0, 0}}, {Vec3{0, 0, 0}, Vec3{1, 0, 0}}};
+  CHECK(sentence(apart, {0.5}) ==
+        "Point p and point q stay farther apart than 0.5 for t in [0, 1]; the marks are where they come closest.");
+}
+
+TEST_CASE("a moving picture of a query has its elements at each time, and rests where they meet") {
+  const std::string text = view::moving_svg(picture(falling(1)), "</title><script>", "<b>");
+  const auto count = [&](const std::string& what) {
+    std::size_t found = 0;
+    for (std::size_t at = text.find(what); at != std::string::npos; at = text.find(what, at + 1)) ++found;
+    return found;
+  };
+  CHECK(count("<g class=\"f") == 31);
+  CHECK(count("<g class=\"f s\"") == 1);
+  CHECK(count("polygon class=\"a now\"") == 31);
+  CHECK(count("polygon class=\"b then\"") == 2);
+  CHECK(count("@keyframes hold") == 1);
+  CHECK(count("<script>") + count("<b>") == 0);
+  // In the frame of the meeting the marked points are one.
+  const std::size_t still = text.find("<g class=\"f s\"");
+  const std::string meeting = text.substr(still, text.find("</g>", still) - still);
+  const auto centre_of = [](const std::string& frame, const std::string& look) {
+    const std::size_t at = frame.find("<circle class=\"" + look + "\"");
+    REQUIRE(at != std::string::npos);
+    const std::size_t from = frame.find("cx=", at);
+    return frame.substr(from, frame.find(" r=", at) - from);
+  };
+  CHECK(centre_of(meeting, "a marked") == centre_of(meeting, "b marked"));
+  CHECK(centre_of(meeting, "a marked") == centre_of(meeting, "meeting"));
+  const std::string first = text.substr(text.find("<g class=\"f"), meeting.size());
+  CHECK(centre_of(first, "a marked") != centre_of(first, "b marked"));
+}
+
 TEST_CASE("a page is one whole document whose names are text") {
   view::QueryToShow shown;
   shown.title = "query 0 of </title><script>x()</script>";
-  shown.about = "<!--";
+  shown.command = "<!--";
   shown.corners = "</pre><img>";
   shown.query = falling(1);
   shown.story = exact::explain(falling(1), 1);

@@ -86,8 +86,9 @@ class StepPage {
                                 std::to_string(after) + " at t = 1.";
     const view::AnimationWords words{
         "a step of a mesh",
-        std::to_string(mesh_.vertex_count()) + " vertices, " + std::to_string(mesh_.edges().size()) + " edges, " +
-            std::to_string(mesh_.faces().size()) + " faces",
+        "A mesh of " + std::to_string(mesh_.vertex_count()) + " vertices, " + std::to_string(mesh_.edges().size()) +
+            " edges and " + std::to_string(mesh_.faces().size()) +
+            " faces moves; marks are contacts and intersections.",
         summary,
         "",
         "frame",

@@ -18,13 +18,11 @@
 namespace touchstone::python {
 namespace {
 
-std::string page_of(const Query& query, const std::string& title, const std::string& about, double t_max,
-                    const Separation& separation) {
+std::string page_of(const Query& query, const std::string& title, double t_max, const Separation& separation) {
   // It refuses what exact::explain does not accept.
   static_cast<void>(solve(query, {.t_max = t_max, .separation = separation, .method = Method::exact}));
   view::QueryToShow shown;
   shown.title = title;
-  shown.about = about;
   shown.corners = fuzz::corners_text(query, "");
   shown.query = query;
   shown.story = separation.distance == 0 ? exact::explain(query, t_max) : exact::explain(query, t_max, separation);
@@ -34,13 +32,13 @@ std::string page_of(const Query& query, const std::string& title, const std::str
 }
 
 std::string page(py::handle kind, py::handle start, py::handle end, py::handle t_max_number, py::handle distance,
-                 py::handle metric, const std::string& title, const std::string& about) {
+                 py::handle metric, const std::string& title) {
   const QueryArrays queries(kind, start, end);
   if (!queries.is_single()) throw py::value_error("start has many queries; a page shows one");
   const Query query = queries.at(0);
   const Separation separation = separation_of(distance, metric, 1, true).separation;
   const double t_max = number_of(t_max_number, "t_max");
-  return unlocked([&] { return page_of(query, title, about, t_max, separation); });
+  return unlocked([&] { return page_of(query, title, t_max, separation); });
 }
 
 /// @param card  (kind, start, end, t_max, separation, metric, contact, toi, heading, about, detail). `contact` is None

@@ -186,8 +186,9 @@ std::uint64_t BodyAnimation::write(io::OutputFile& file, const std::string& summ
   const Separation& separation = files_.bodies().separation;
   const view::AnimationWords words{
       fmt::format("{} bodies, time {:.6g} to {:.6g}", files_.names().size(), poses_.times.front(), poses_.times.back()),
-      separation.distance > 0 ? "Do all bodies stay apart in each step? (" + separation_for_person(separation) + ")"
-                              : std::string("Is each step between the recorded poses free of contact?"),
+      (separation.distance > 0 ? "Do all bodies stay apart in each step? (" + separation_for_person(separation) + ")"
+                               : std::string("Is each step between the recorded poses free of contact?")) +
+          " The bodies turn from pose to pose; marks are contacts and intersections.",
       summary,
       "",
       "picture",

@@ -13,7 +13,6 @@
 
 #include "cli/explain/one_query.hpp"
 #include "cli/shared/command_line/common_options.hpp"
-#include "cli/shared/command_line/output_names.hpp"
 #include "cli/shared/words.hpp"
 #include "io/fail.hpp"
 #include "io/output_file.hpp"
@@ -24,13 +23,12 @@ namespace {
 
 struct ExplainOptions {
   OneQuery query;
-  std::string html;  ///< the page to write; empty: none
+  QueryPictures pictures{.page_option = "--html"};
 };
 
 int run_explain(const ExplainOptions& options) {
   const Input input = find_inputs({options.query.file}, options.query.kind, options.query.decimals).front();
-  if (options.html == "-") throw Error("--html: name a file to write, standard output has the story");
-  if (!options.html.empty()) refuse_to_overwrite(options.html, {options.query.file});
+  options.pictures.check(options.query, false);
   const auto found = find_query(input, options.query.query, options.query.turns);
   const auto& record = found->record;
   const Separation& separation = options.query.separation.separation;
@@ -47,26 +45,27 @@ int run_explain(const ExplainOptions& options) {
     console.write(fmt::format("the file's truth column says {}: {}\n", *record.truth ? 1 : 0,
                               name_of(judge({*record.truth, std::nullopt}, explanation.story.answer))));
   }
-  if (!options.html.empty()) write_query_page(options.html, input, record, explanation, options.query);
+  options.pictures.write(input, record, explanation, options.query);
   console.commit();
   return kAllHold;
 }
 
 struct ViewOptions {
   OneQuery query;
-  std::string out;
+  QueryPictures pictures{.page_option = "--out"};
 };
 
 int run_view(const ViewOptions& options) {
+  const QueryPictures& pictures = options.pictures;
+  if (pictures.page.empty() && pictures.svg.empty()) throw Error("name the page with --out, or a picture with --svg");
   const Input input = find_inputs({options.query.file}, options.query.kind, options.query.decimals).front();
-  refuse_to_overwrite(options.out, {options.query.file});
+  pictures.check(options.query, true);
   const auto found = find_query(input, options.query.query, options.query.turns);
   const Explanation explanation = explanation_of(found->record, options.query);
-  const std::uint64_t size = write_query_page(options.out, input, found->record, explanation, options.query);
-  if (options.out == "-") return kAllHold;
+  const std::string lines = pictures.write(input, found->record, explanation, options.query);
+  if (lines.empty() || pictures.page == "-" || pictures.svg == "-") return kAllHold;
   auto console = io::OutputFile::standard_output();
-  console.write(fmt::format("{} in {}, {} bytes: open it in a browser\n", heading(input, found->record),
-                            io::printable(options.out), grouped(size)));
+  console.write(lines);
   console.commit();
   return kAllHold;
 }
@@ -77,9 +76,7 @@ void add_explain(CLI::App& program, Command& command) {
   const auto options = std::make_shared<ExplainOptions>();
   CLI::App* const subcommand = program.add_subcommand("explain", "Tell how one query is decided");
   add_one_query_options(*subcommand, options->query);
-  subcommand->add_option("--html", options->html, "Also write a page with a picture of the query, as view does")
-      ->type_name("PAGE.html")
-      ->check(named_as(Output::page));
+  options->pictures.add_options(*subcommand, "Also write a page with a picture of the query, as view does");
   subcommand->footer(
       "Shows the corners as given and as doubles, the coplanarity cubic's exact coefficients, each time at which "
       "contact\n"
@@ -90,12 +87,10 @@ void add_explain(CLI::App& program, Command& command) {
 
 void add_view(CLI::App& program, Command& command) {
   const auto options = std::make_shared<ViewOptions>();
-  CLI::App* const subcommand = program.add_subcommand("view", "Write a page with a moving picture of one query");
+  CLI::App* const subcommand =
+      program.add_subcommand("view", "Write a page with a moving picture of one query, or the picture alone");
   add_one_query_options(*subcommand, options->query);
-  subcommand->add_option("--out", options->out, "The page to write (-: standard output)")
-      ->required()
-      ->type_name("PAGE.html")
-      ->check(named_as(Output::page));
+  options->pictures.add_options(*subcommand, "The page to write (-: standard output)");
   subcommand->footer(
       "The page is one HTML file that needs no network. It shows the two elements, their paths, a slider of time with\n"
       "the roots of V and the contact, the separating plane of the proof, and what explain tells. Its zoom goes down "

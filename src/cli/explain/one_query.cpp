@@ -10,18 +10,26 @@
 #include <type_traits>
 #include <utility>
 #include <variant>
+#include <vector>
 
 #include <touchstone/contact_normal.hpp>
 #include <touchstone/curved.hpp>
+#include <touchstone/error.hpp>
 
 #include "cli/explain/story.hpp"
 #include "cli/shared/command_line/common_options.hpp"
+#include "cli/shared/command_line/output_names.hpp"
 #include "cli/shared/command_line/turns.hpp"
+#include "cli/shared/command_line/typed_command.hpp"
 #include "cli/shared/words.hpp"
+#include "io/fail.hpp"
 #include "io/output_file.hpp"
 #include "io/times.hpp"
 #include "solver/ladder.hpp"
 #include "view/pages/query_page.hpp"
+#include "view/pages/story_html.hpp"
+#include "view/picture.hpp"
+#include "view/still.hpp"
 
 namespace touchstone::cli {
 namespace {
@@ -58,18 +66,50 @@ Explanation explanation_of(const io::QueryRecord& record, const OneQuery& option
   return std::visit([&](const auto& query) { return explained(query, record, options); }, record.query);
 }
 
-std::uint64_t write_query_page(const std::string& path, const Input& input, const io::QueryRecord& record,
-                               const Explanation& explanation, const OneQuery& options) {
-  const std::string about =
-      explain_command(input.name, input.kind, record.number, options.separation.separation, options.t_max) +
-      turns_argument(options.turns) + decimals_argument(options.decimals);
-  const view::QueryToShow shown{heading(input, record), about,         explanation.corners,          record.query,
-                                explanation.story,      options.t_max, options.separation.separation};
-  const std::string page = view::page_text(view::query_page(shown));
-  auto out = path == "-" ? io::OutputFile::standard_output() : io::OutputFile(path);
-  out.write(page);
-  out.commit();
-  return page.size();
+void QueryPictures::add_options(CLI::App& subcommand, const std::string& page_description) {
+  subcommand.add_option(page_option, page, page_description)->type_name("PAGE.html")->check(named_as(Output::page));
+  subcommand.add_option("--svg", svg, "Write a moving picture alone, which needs no script, for slides or a README")
+      ->type_name("FILE.svg")
+      ->check(named_as(Output::picture));
+}
+
+void QueryPictures::check(const OneQuery& query, bool standard_output_is_free) const {
+  const std::vector<std::pair<std::string, std::string>> files = {{page_option, page}, {"--svg", svg}};
+  for (const auto& [option, file] : files) {
+    if (file == "-" && !standard_output_is_free) {
+      throw Error(option + ": name a file to write, standard output has the story");
+    }
+    if (!file.empty()) refuse_to_overwrite(file, {query.file});
+  }
+  refuse_one_file_twice(files);
+}
+
+std::string QueryPictures::write(const Input& input, const io::QueryRecord& record, const Explanation& explanation,
+                                 const OneQuery& query) const {
+  const Separation& separation = query.separation.separation;
+  const std::string title = heading(input, record);
+  std::string lines;
+  const auto write_file = [&](const std::string& path, const std::string& text) {
+    auto out = path == "-" ? io::OutputFile::standard_output() : io::OutputFile(path);
+    out.write(text);
+    out.commit();
+    if (path == "-") return;
+    lines +=
+        fmt::format("{} in {}, {} bytes: open it in a browser\n", title, io::printable(path), grouped(text.size()));
+  };
+  if (!page.empty()) {
+    const view::QueryToShow shown{title,       typed_command(), explanation.corners, record.query, explanation.story,
+                                  query.t_max, separation};
+    write_file(page, view::page_text(view::query_page(shown)));
+  }
+  if (!svg.empty()) {
+    const Answer& answer = explanation.story.answer;
+    const Kind kind = std::visit([](const auto& any) { return any.kind; }, record.query);
+    write_file(svg, view::moving_svg(view::picture_of(record.query, answer, query.t_max, separation),
+                                     view::answer_sentence(kind, answer, query.t_max, separation),
+                                     title + ". The elements are faint at both ends of the step."));
+  }
+  return lines;
 }
 
 void add_one_query_options(CLI::App& subcommand, OneQuery& options) {

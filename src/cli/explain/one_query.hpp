@@ -38,8 +38,18 @@ struct Explanation {
 };
 Explanation explanation_of(const io::QueryRecord& record, const OneQuery& options);
 
-/// Writes the page of a query. @returns its size in bytes @throws FileError
-std::uint64_t write_query_page(const std::string& path, const Input& input, const io::QueryRecord& record,
-                               const Explanation& explanation, const OneQuery& options);
+/// The files with a picture of a query. Empty names: none; "-": standard output.
+struct QueryPictures {
+  std::string page{};
+  std::string page_option{};  ///< the option that names the page
+  std::string svg{};          ///< of a moving picture alone
+
+  void add_options(CLI::App& subcommand, const std::string& page_description);
+  /// @throws Error, FileError  where a name is that of an input, of standard output but may not be, or of both files
+  void check(const OneQuery& query, bool standard_output_is_free) const;
+  /// @returns a line for a person about each file that is not standard output @throws FileError
+  std::string write(const Input& input, const io::QueryRecord& record, const Explanation& explanation,
+                    const OneQuery& query) const;
+};
 
 }  // namespace touchstone::cli

@@ -180,7 +180,7 @@ std::uint64_t MeshAnimation::write(io::OutputFile& file, const std::string& ques
                                    const std::string& summary) const {
   const view::AnimationWords words{
       fmt::format("{} to {}", first_label_, last_label_),
-      question,
+      question + " Frames move one after the other; marks are contacts and intersections.",
       summary,
       "",
       "frame",

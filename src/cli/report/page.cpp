@@ -8,6 +8,7 @@
 
 #include <touchstone/version.hpp>
 
+#include "cli/shared/command_line/typed_command.hpp"
 #include "report/machine.hpp"
 #include "report/markdown.hpp"
 #include "report/pictures/front.hpp"
@@ -58,9 +59,11 @@ view::MeasuredMethod measured(const report::Result& result, const report::QueryS
 std::string report_page(const report::Report& report) {
   view::Measurements all;
   all.title = "Touchstone: error against run time";
-  all.subtitle = fmt::format("version {}, {}, {}; seed {}{}{}", version(), report::machine_name(),
-                             report::compiler_name(), report.size.seed, report.size.quick ? ", quick" : "",
-                             report::separation_arguments(report.size.separation));
+  all.command = typed_command();
+  all.subtitle =
+      fmt::format("How often each method is wrong, against the time that it takes. Version {}, {}, {}; seed {}{}{}",
+                  version(), report::machine_name(), report::compiler_name(), report.size.seed,
+                  report.size.quick ? ", quick" : "", report::separation_arguments(report.size.separation));
   all.summary = without_marks(report::summary(report)) +
                 " Point at a method to see its numbers. A click on a column's name sorts by it.";
   all.how_to_read = without_marks(report::how_to_read(report));

@@ -5,6 +5,7 @@
 
 #include <filesystem>
 
+#include "cli/shared/command_line/typed_command.hpp"
 #include "cli/shared/words.hpp"
 #include "io/answers/claim_columns.hpp"
 #include "io/fail.hpp"
@@ -12,13 +13,13 @@
 
 namespace touchstone::cli {
 
-std::uint64_t write_animation(const view::Animation& animation, const view::AnimationWords& words,
-                              io::OutputFile& file) {
+std::uint64_t write_animation(const view::Animation& animation, view::AnimationWords words, io::OutputFile& file) {
   if (io::in_lower_case(std::filesystem::path(file.name()).extension().string()) == ".svg") {
-    const std::string text = view::moving_svg(animation, words.title + ": " + words.subtitle);
+    const std::string text = view::moving_svg(animation, words.title, words.subtitle);
     file.write(text);
     return text.size();
   }
+  words.command = typed_command();
   return view::write_animation_page(animation, words, [&](std::string_view bytes) { file.write(bytes); });
 }
 

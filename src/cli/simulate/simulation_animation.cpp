@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <utility>
 
 #include "cli/shared/animation_file.hpp"
@@ -33,6 +34,13 @@ view::AnimationShape shape_of(const sim::Simulation& simulation) {
   shape.edges = colliders.edges();
   shape.faces = colliders.faces();
   shape.points = colliders.points();
+  for (sim::Index v = 0; v < colliders.before(colliders.group_count()).vertices; ++v) {
+    shape.radii.push_back(static_cast<float>(colliders.radius_of(MeshElement::vertex, v)));
+  }
+  for (const sim::Cable& cable : simulation.scene().cables) {  // contacts keep the radius of solid ones only
+    for (const sim::Index p : cable.particles)
+      shape.radii[p] = std::max(shape.radii[p], static_cast<float>(cable.radius));
+  }
   return shape;
 }
 
@@ -121,7 +129,8 @@ std::uint64_t SimulationAnimation::write(io::OutputFile& file, const std::string
                                          const std::string& summary) const {
   const view::AnimationWords words{
       title,
-      simulation_->scene().name,
+      fmt::format("The scene {} moves from {:.6g} s to {:.6g} s; marks are contacts and crossings.",
+                  simulation_->scene().name, animation_.frames().front().time, animation_.frames().back().time),
       summary,
       "s",
       "step",

@@ -148,6 +148,7 @@ void write_data(const Animation& animation, const Sink& sink) {
   write_numbers(sink, "edges", flat(shape.edges));
   write_numbers(sink, "bare", shape.edges_without_face());
   write_numbers(sink, "hues", hues_of(animation));
+  write_numbers(sink, "radii", shape.radii);
   write_numbers(sink, "points", shape.points);
   write_numbers(sink, "face-numbers", shape.face_numbers);
   std::vector<std::uint32_t> pairs;
@@ -181,8 +182,9 @@ std::uint64_t write_animation_page(const Animation& animation, const AnimationWo
   Page page;
   page.title = words.title;
   page.subtitle = words.subtitle;
-  page.sort = "animation";
-  page.styles = {"animation.css"};
+  page.command = words.command;
+  page.sort = "animation beside";
+  page.styles = {"animation.css", "frame.css"};
   page.body = "<main>\n<div class=\"viewer\"><div class=\"stage\">\n" + still_of(animation, view) + "</div>\n" +
               plots_html(animation) + "</div>\n<aside>\n<section><h2>Result</h2>\n<pre class=\"wrapped\">" +
               escaped(words.summary) +
@@ -191,8 +193,8 @@ std::uint64_t write_animation_page(const Animation& animation, const AnimationWo
               list_of_stories(animation) + "</section>\n<section><h2>The picture</h2>\n<p class=\"about\">" +
               escaped(about(animation, words)) + "</p></section>\n</aside>\n</main>\n";
   page.data.emplace_back("animation", json_for_script(data_of(animation, words, view)));
-  page.scripts = {"numbers.js", "canvas.js", "camera.js", "timeline.js",      "frames.js",   "mesh_canvas.js",
-                  "pick.js",    "marks.js",  "plots.js",  "element_panel.js", "animation.js"};
+  page.scripts = {"numbers.js",     "canvas.js", "camera.js", "page_state.js", "timeline.js",      "frames.js",
+                  "mesh_canvas.js", "pick.js",   "marks.js",  "plots.js",      "element_panel.js", "animation.js"};
   std::uint64_t size = 0;
   const auto counted = [&](std::string_view bytes) {
     sink(bytes);

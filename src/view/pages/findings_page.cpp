@@ -17,9 +17,7 @@ std::string card(std::size_t number, const FindingToShow& finding, const std::st
                      "</dd>\n<dt>exact</dt><dd class=\"truth\">" + escaped(finding.truth) + "</dd>\n</dl>\n";
   if (!finding.detail.empty()) text += "<p>" + escaped(finding.detail) + "</p>\n";
   text += "<pre>" + escaped(finding.corners) + "</pre>\n";
-  for (const std::string& command : finding.commands) {
-    text += "<pre class=\"command\">" + escaped(command) + "</pre>\n";
-  }
+  for (const std::string& command : finding.commands) text += command_html(command);
   return text + "</article>\n";
 }
 
@@ -28,7 +26,11 @@ std::string card(std::size_t number, const FindingToShow& finding, const std::st
 Page findings_page(const std::string& title, const std::string& summary, const std::vector<FindingToShow>& findings) {
   Page page;
   page.title = title;
+  page.subtitle = findings.empty() ? "No claim was found to be wrong."
+                                   : "Each card is a query about which a claim is wrong: its picture, the claim, and "
+                                     "the exact answer.";
   page.sort = "findings";
+  page.styles = {"still.css"};
   const std::string first_line = summary.substr(0, summary.find('\n'));
   page.body = "<details class=\"summary\"><summary>" + escaped(first_line) + "</summary>\n<pre>" + escaped(summary) +
               "</pre></details>\n<main class=\"cards\">\n";

@@ -63,6 +63,10 @@ std::string json_for_script(const nlohmann::json& data) {
   return result;
 }
 
+std::string command_html(const std::string& command) {
+  return command.empty() ? "" : "<pre class=\"command\">" + escaped(command) + "</pre>\n";
+}
+
 void write_page(const Page& page, const Sink& sink, const std::function<void(const Sink&)>& more_data) {
   // The policy forbids every request: the page needs nothing but itself.
   sink(R"(<!doctype html>
@@ -81,6 +85,7 @@ void write_page(const Page& page, const Sink& sink, const std::function<void(con
   sink("</style>\n</head>\n<body class=\"" + escaped(page.sort) + "\">\n<header>\n<h1>" + escaped(page.title) +
        "</h1>\n");
   if (!page.subtitle.empty()) sink("<p>" + escaped(page.subtitle) + "</p>\n");
+  sink(command_html(page.command));
   sink(
       "</header>\n<noscript><p class=\"note\">Scripts are off: the page shows still pictures and the text.</p>"
       "</noscript>\n");

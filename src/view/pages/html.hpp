@@ -23,13 +23,17 @@ std::string json_for_script(const nlohmann::json& data);
 /// A file of src/view/pages/assets. @throws std::logic_error  when there is none
 const std::string& page_file(std::string_view name);
 
+/// A command as a user would copy it.
+std::string command_html(const std::string& command);
+
 /// Takes the next bytes of a page.
 using Sink = std::function<void(std::string_view)>;
 
 /// One page. The scripts are names of files in src/view/pages/assets, in the order in which they run.
 struct Page {
   std::string title;                                      ///< text
-  std::string subtitle;                                   ///< text; a second line, or empty
+  std::string subtitle;                                   ///< text: a sentence that says what one sees
+  std::string command;                                    ///< text: what a shell takes to make it again, or empty
   std::string sort;                                       ///< the class of the body
   std::string body;                                       ///< HTML
   std::vector<std::pair<std::string, std::string>> data;  ///< script elements: id, and what json_for_script made

@@ -52,6 +52,7 @@ Page measurements_page(const Measurements& measurements) {
   Page page;
   page.title = measurements.title;
   page.subtitle = measurements.subtitle;
+  page.command = measurements.command;
   page.sort = "measurements";
   page.styles = {"chart.css", "measurements.css"};
   page.body = "<main>\n<p>" + escaped(measurements.summary) +

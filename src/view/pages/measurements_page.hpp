@@ -37,7 +37,7 @@ struct ErrorPanel {
 };
 
 struct Measurements {
-  std::string title, subtitle;
+  std::string title, subtitle, command;  ///< as Page has them
   std::string summary;
   std::string how_to_read;  ///< what the words mean, several lines, folded at first
   std::string time_axis;

@@ -11,7 +11,8 @@
 namespace touchstone::view {
 
 std::vector<std::string> viewer_scripts() {
-  return {"numbers.js", "canvas.js", "camera.js", "shapes.js", "timeline.js", "motion.js", "viewer.js"};
+  return {"numbers.js", "canvas.js",   "camera.js", "page_state.js",
+          "shapes.js",  "timeline.js", "motion.js", "viewer.js"};
 }
 
 std::string viewer_html(const std::string& id, const nlohmann::json& picture) {
@@ -25,8 +26,10 @@ Page query_page(const QueryToShow& shown) {
   const nlohmann::json picture = picture_of(shown.query, shown.story.answer, shown.t_max, shown.separation);
   Page page;
   page.title = shown.title;
-  page.subtitle = shown.about;
-  page.sort = "query";
+  page.subtitle = answer_sentence(kind, shown.story.answer, shown.t_max, shown.separation);
+  page.command = shown.command;
+  page.sort = "query beside";
+  page.styles = {"still.css"};
   page.body = "<main>\n" + viewer_html("picture", picture) + "<aside>\n" +
               story_html(kind, curved, shown.story, shown.t_max, shown.separation) +
               "<section>\n<h2>Corners</h2>\n<pre>" + escaped(shown.corners) + "</pre>\n</section>\n</aside>\n</main>\n";

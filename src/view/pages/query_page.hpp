@@ -18,7 +18,7 @@ namespace touchstone::view {
 /// A query, its story, and words around them.
 struct QueryToShow {
   std::string title;    ///< text: "query 3 of edge-edge/a.csv"
-  std::string about;    ///< text: the second line
+  std::string command;  ///< text: as a Page has it
   std::string corners;  ///< text of several lines: the exact input
   io::FileQuery query;
   exact::Story story;

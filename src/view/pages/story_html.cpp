@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cstddef>
+#include <string_view>
 #include <vector>
 
 #include "geometry/kind_traits.hpp"
@@ -67,6 +68,22 @@ std::string answer_html(Kind kind, const Answer& answer, double t_max, const Sep
 }
 
 }  // namespace
+
+std::string answer_sentence(Kind kind, const Answer& answer, double t_max, const Separation& separation) {
+  const std::string_view words = name_of(kind);  // "vertex-face"
+  const std::size_t between = words.find('-');
+  std::string pair =
+      fmt::format("{} {} and {} {}", words.substr(0, between), corner_name(kind, 0).front(), words.substr(between + 1),
+                  corner_name(kind, geometry::corners_of_first(kind)).front());
+  pair.front() = static_cast<char>(pair.front() - 'a' + 'A');
+  const std::string distance = separation.distance > 0 ? number(separation.distance) : std::string();
+  if (!answer.contact) {
+    return fmt::format("{} {} for t in [0, {}]; the marks are where they come closest.", pair,
+                       distance.empty() ? "do not touch" : "stay farther apart than " + distance, number(t_max));
+  }
+  return fmt::format("{} {} first at t {} {}.", pair, distance.empty() ? "touch" : "come within " + distance,
+                     answer.toi == answer.toi_upper ? "=" : "just above", number(answer.toi));
+}
 
 std::string story_html(Kind kind, bool curved, const exact::Story& story, double t_max, const Separation& separation) {
   std::string text = answer_html(kind, story.answer, t_max, separation);

@@ -60,7 +60,7 @@ def _frame(page):
 def _page(kind, start, end, t_max, separation, metric, title):
     if _core.page is None:
         return None
-    return _core.page(kind, start, end, t_max, separation, metric, title, "")
+    return _core.page(kind, start, end, t_max, separation, metric, title)
 
 
 def _corner_rows(kind, start, end):

@@ -31,6 +31,7 @@ const std::vector<OutputFormat>& formats() {
       {Output::json_lines, "lines of JSON", {".jsonl", ".ndjson", ".json"}},
       {Output::page, "a page, HTML with pictures (SVG) in it", {".html", ".htm"}},
       {Output::animation, "a page, HTML with pictures (SVG) in it, or a moving picture", {".html", ".htm", ".svg"}},
+      {Output::picture, "a moving picture (SVG)", {".svg"}},
       {Output::text, "text", {".txt"}},
       {Output::theorem, "a theorem of Coq", {".v"}},
   };

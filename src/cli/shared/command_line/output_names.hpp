@@ -9,7 +9,7 @@
 namespace touchstone::cli {
 
 /// What is written into a file.
-enum class Output : std::uint8_t { csv, json, json_lines, page, animation, text, theorem };
+enum class Output : std::uint8_t { csv, json, json_lines, page, animation, picture, text, theorem };
 
 /// Why a file of this name cannot be written, or an empty text: the name is empty, or has the ending of another format.
 /// "-", standard output, and endings that no known format has are fine.

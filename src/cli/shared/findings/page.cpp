@@ -6,6 +6,7 @@
 
 #include <touchstone/error.hpp>
 
+#include "cli/shared/command_line/typed_command.hpp"
 #include "cli/shared/findings/findings_report.hpp"
 #include "cli/shared/new_folders.hpp"
 #include "cli/shared/words.hpp"
@@ -43,8 +44,9 @@ view::FindingToShow finding_to_show(const fuzz::Finding& finding, const FuzzComm
 void write_findings_page(const std::string& file, const std::string& title, const std::string& summary,
                          const std::vector<view::FindingToShow>& findings) {
   io::OutputFile output(file);
-  view::write_page(view::findings_page(title, summary, findings),
-                   [&output](std::string_view bytes) { output.write(bytes); });
+  view::Page page = view::findings_page(title, summary, findings);
+  page.command = typed_command();
+  view::write_page(page, [&output](std::string_view bytes) { output.write(bytes); });
   output.commit();
 }
 

@@ -27,37 +27,19 @@ class AnimationViewer {
     this.open();
   }
 
-  /** The page opens where its address says, or else at the first contact or crossing. */
+  /** The page opens where its address says. Otherwise it plays to the first contact or crossing. */
   open() {
-    const {data, marks} = this, state = new URLSearchParams(location.hash.slice(1));
-    const number = (name, otherwise) => {
-      const x = state.has(name) ? Number(state.get(name)) : NaN;
-      return Number.isFinite(x) ? x : otherwise;
-    };
-    const found = ['contact', 'crossing'].map((sort) => marks.firstTime(sort)).filter((s) => s !== undefined);
-    const [low, high] = [data.times[0], data.times[data.times.length - 1]];
-    this.zoomTo(number('zoom', 0));
-    this.camera.face((state.get('from') || '').split(',').map(Number));
-    this.timeline.go(Math.max(low, Math.min(high, number('t', found.length > 0 ? Math.min(...found) : low))));
+    const state = stateOfAddress();
+    const found = ['contact', 'crossing'].map((sort) => this.marks.firstTime(sort)).filter((s) => s !== undefined);
+    this.zoomTo(state.zoom || 0);
+    this.camera.face(state.from);
+    this.timeline.open(state.t, found.length > 0 ? Math.min(...found) : undefined);
     this.opened = true;
-  }
-
-  /** The address of the page as it is seen now. */
-  keepState() {
-    const round = (x) => String(Number(x.toPrecision(9))), {basis} = this.camera;
-    const state = {t: String(this.s), zoom: round(this.zoom), from: [...basis[0], ...basis[2]].map(round).join()};
-    history.replaceState(null, '', '#' + new URLSearchParams(state));
   }
 
   save() {
     this.draw();
-    const paper = element('canvas', {width: this.node.width, height: this.node.height});
-    const context = paper.getContext('2d');
-    context.fillStyle = getComputedStyle(document.body).backgroundColor;
-    context.fillRect(0, 0, paper.width, paper.height);
-    context.drawImage(this.node, 0, 0);
-    element('a', {href: paper.toDataURL('image/png'), download: document.title.replace(/[^\w.-]+/g, '-') + '.png'})
-        .click();
+    savePicture(this.node);
   }
 
   build(parent) {
@@ -245,7 +227,7 @@ class AnimationViewer {
   draw() {
     if (!this.mesh || !this.canvas.resize()) return;
     const view = this.view(), now = this.frames.around(this.s), frame = this.frames.ending(this.s);
-    const names = {ink: '--ink', a: '--a', b: '--b', mark: '--mark', paper: '--paper'};
+    const names = {ink: '--ink', a: '--a', b: '--b', mark: '--mark', paper: '--paper', rest: '--rest'};
     const colours = Object.fromEntries(Object.entries(names).map(([key, name]) => [key, colourOf(name)]));
     const place = (p) =>
         added(this.camera.seen(p.map((x, k) => (x - view.centre[k]) * view.pixels)), [view.pan[0], view.pan[1], 0]);
@@ -269,7 +251,7 @@ class AnimationViewer {
     this.plots.show(this.s, frame);
     this.panel.markStories(frame);
     this.say(frame, list);
-    if (this.opened) this.keepState();
+    if (this.opened) keepInAddress(this.s, this.zoom, this.camera);
   }
 
   say(frame, list) {

@@ -86,6 +86,7 @@ class Elements {
     this.faceNumbers = new Uint32Array(bytesOf('face-numbers'));
     this.bareEdges = Array.from(new Uint32Array(bytesOf('bare')));
     this.hues = new Uint8Array(bytesOf('hues'));
+    this.radii = new Float32Array(bytesOf('radii'));
   }
 
   corners({sort, number}) {

@@ -22,6 +22,14 @@ vec3 seen(uint vertex) {
 vec4 clipped(vec3 p) { return vec4(p.xy * 2.0 / size, clamp(-p.z / 8000.0, -0.99, 0.99), 1.0); }
 `;
 
+// Light from the sky, less from the ground, and some from a lamp beside the reader, as in view/frame_svg.cpp.
+const kLight = `
+uniform vec3 sky;
+float light_on(vec3 normal) {
+  return min(1.0, 0.65 + 0.1 * dot(normal, sky) + 0.35 * max(0.0, dot(normal, vec3(-0.3, 0.5, 0.81))));
+}
+`;
+
 const kFaceVertex = `#version 300 es
 precision highp float;
 ${kPlace}
@@ -39,42 +47,65 @@ precision highp float;
 in vec3 at;
 flat in vec3 tint;
 out vec4 colour;
+${kLight}
 void main() {
   vec3 normal = cross(dFdx(at), dFdy(at));
   normal *= (normal.z < 0.0 ? -1.0 : 1.0) / max(length(normal), 1e-20);
-  float light = max(0.0, dot(normal, vec3(-0.3, 0.5, 0.81)));  // from above, as in view/frame_svg.cpp
-  colour = vec4(tint * min(1.0, 0.45 + 0.55 * light), 1.0);
+  colour = vec4(tint * light_on(normal), 1.0);
 }`;
 
-// One instance an edge or point; a point is an edge of one vertex.
+// One instance an edge or point; a point is an edge of one vertex. One with a radius is as thick as that, and round.
 const kEdgeVertex = `#version 300 es
 precision highp float;
 ${kPlace}
 in uvec2 edge;
-uniform float width, lift, own;
-out vec2 rim;
-out vec3 shade;
+uniform float width, lift, own, pixels;
+uniform highp sampler2D radii;
+out vec2 along_and_across;
+flat out vec3 tint;
+flat out vec2 direction;
+flat out float span, half_width;
 uniform vec3 ink;
+float radius(uint vertex) { return texelFetch(radii, ivec2(int(vertex) % 2048, int(vertex) / 2048), 0).x; }
 void main() {
   vec3 a = seen(edge.x), b = seen(edge.y);
   vec2 along = b.xy - a.xy;
-  along = length(along) > 1e-6 ? normalize(along) : vec2(1.0, 0.0);
+  span = length(along);
+  along = span > 1e-6 ? along / span : vec2(1.0, 0.0);
   vec2 across = vec2(-along.y, along.x);
-  float end = float(gl_VertexID & 1), side = float(gl_VertexID >> 1) * 2.0 - 1.0;
+  half_width = max(0.5 * width, own * pixels * min(radius(edge.x), radius(edge.y)));
+  float end = float(gl_VertexID & 1), side = float(gl_VertexID >> 1) * 2.0 - 1.0, beyond = end * 2.0 - 1.0;
   vec3 p = mix(a, b, end);
-  p.xy += (across * side + along * (end * 2.0 - 1.0)) * width * 0.5;
+  p.xy += (across * side + along * beyond) * half_width;
   p.z += lift;
-  rim = vec2(0.0, side);
-  shade = mix(ink, 0.8 * hue(edge.x), own);
+  along_and_across = vec2(end * span + beyond * half_width, side * half_width);
+  direction = along;
+  tint = mix(ink, hue(edge.x), own);
   gl_Position = clipped(p);
 }`;
 
 const kEdgeFragment = `#version 300 es
 precision highp float;
-in vec3 shade;
-uniform float alpha;
+in vec2 along_and_across;
+flat in vec3 tint;
+flat in vec2 direction;
+flat in float span, half_width;
+uniform float alpha, own;
 out vec4 colour;
-void main() { colour = vec4(shade * alpha, alpha); }`;
+${kLight}
+void main() {
+  if (half_width < 2.0) {
+    colour = vec4(tint * mix(1.0, 0.8, own) * alpha, alpha);
+    return;
+  }
+  vec2 from_axis = vec2(along_and_across.x - clamp(along_and_across.x, 0.0, span), along_and_across.y) / half_width;
+  float distance = length(from_axis);
+  float cover = alpha * clamp((1.0 - distance) * half_width + 0.5, 0.0, 1.0);
+  if (cover < 0.01) discard;
+  vec2 flat_normal = from_axis.x * direction + from_axis.y * vec2(-direction.y, direction.x);
+  vec3 normal = vec3(flat_normal, sqrt(max(0.0, 1.0 - distance * distance)));
+  colour = vec4(tint * light_on(normal) * cover, cover);
+}`;
 
 class MeshCanvas {
   /** Draws into the context of a canvas for shapes. */
@@ -89,6 +120,8 @@ class MeshCanvas {
     this.inTexture = [-1, -1];
     this.hues = this.texture(gl.R8UI);
     this.send(elements.hues, 1, gl.RED_INTEGER, gl.UNSIGNED_BYTE);
+    this.radii = this.texture(gl.R32F);
+    if (elements.radii.length > 0) this.send(elements.radii, 1, gl.RED, gl.FLOAT);
     this.faceArray = this.facesOf();
     const edges = (numbers) => numbers.flatMap((i) => [elements.edges[2 * i], elements.edges[2 * i + 1]]);
     this.bare = this.edgesOf(edges(elements.bareEdges));
@@ -158,7 +191,7 @@ class MeshCanvas {
     return {array, count: corners.length / 2};
   }
 
-  /** view: pixels (a unit of length), centre, basis, pan. colours: ink. */
+  /** view: pixels (a unit of length), centre, basis, pan. colours: ink, and rest for what is at rest. */
   draw(frames, {frame, fraction}, view, colours) {
     const gl = this.gl, next = fraction > 0 ? frame + 1 : frame;
     const before = this.load(frame, next, frames), after = this.load(next, frame, frames);
@@ -184,7 +217,12 @@ class MeshCanvas {
       gl.activeTexture(gl.TEXTURE2);
       gl.bindTexture(gl.TEXTURE_2D, this.hues);
       gl.uniform1i(at('hues'), 2);
-      gl.uniform3fv(at('palette'), this.data.hues.flat().map((x) => x / 255));
+      gl.activeTexture(gl.TEXTURE3);
+      gl.bindTexture(gl.TEXTURE_2D, this.radii);
+      gl.uniform1i(at('radii'), 3);
+      gl.uniform1f(at('pixels'), view.pixels);
+      gl.uniform3fv(at('palette'), [...colours.rest, ...this.data.hues.slice(1).flat().map((x) => x / 255)]);
+      gl.uniform3fv(at('sky'), view.basis.map((axis) => axis[2]));
       gl.activeTexture(gl.TEXTURE0);
       gl.uniform1f(at('fraction'), fraction);
       gl.uniformMatrix3fv(at('turn'), true, view.basis.flat());

@@ -71,7 +71,21 @@ class Timeline {
 
   step(steps) { this.go(Math.max(this.low, Math.min(this.high, this.s + (this.high - this.low) * steps / 100))); }
 
-  toggle() {
+  /**
+   * Opens at the time that is asked for. Otherwise it plays from the start to the meeting, and rests there; without a
+   * meeting it plays to the end. Readers who prefer less motion see the meeting, or the start, at once.
+   */
+  open(asked, meeting) {
+    if (asked !== undefined) return this.go(Math.max(this.low, Math.min(this.high, asked)));
+    if (matchMedia('(prefers-reduced-motion: reduce)').matches || meeting <= this.low) {
+      return this.go(meeting === undefined ? this.low : meeting);
+    }
+    this.go(this.low);
+    this.toggle(meeting);
+  }
+
+  /** Plays, as far as a time if it begins before it, or pauses. */
+  toggle(until = this.high) {
     this.playing = !this.playing;
     this.play.textContent = this.playing ? '\u275a\u275a' : '\u25b6';
     this.play.setAttribute('aria-label', this.playing ? 'pause' : 'play');
@@ -82,9 +96,10 @@ class Timeline {
       if (!this.playing) return;
       const passed = last === null ? 0 : (now - last) / 1000;
       last = now;
-      const s = Math.min(this.high, this.s + passed * (this.high - this.low) / 5);
+      const end = this.s < until ? Math.min(until, this.high) : this.high;
+      const s = Math.min(end, this.s + passed * (this.high - this.low) / 5);
       this.go(s);
-      if (s >= this.high) {
+      if (s >= end) {
         this.toggle();
       } else {
         requestAnimationFrame(frame);

@@ -1,7 +1,7 @@
 // The picture of one query: its stage, its controls and what they say. SPDX-License-Identifier: MIT
 
 class Viewer {
-  constructor(parent, picture) {
+  constructor(parent, picture, keepsState) {
     this.picture = picture;
     this.motion = new Motion(picture);
     this.zoom = 0;
@@ -15,8 +15,11 @@ class Viewer {
     this.observer = new ResizeObserver(() => this.draw());
     this.observer.observe(this.node);
     matchMedia('(prefers-color-scheme: dark)').addEventListener('change', () => this.draw());
-    this.zoomTo(0);
-    this.timeline.go(picture.marks.find((mark) => mark.s === 0).s);
+    const state = keepsState ? stateOfAddress() : {from: []};
+    this.camera.face(state.from);
+    this.zoomTo(state.zoom || 0);
+    this.timeline.open(state.t, 0);
+    this.keepsState = keepsState;
   }
 
   /** Takes the picture away; the still one stays. */
@@ -59,7 +62,8 @@ class Viewer {
     const button = (text, title, action) => element('button', {type: 'button', title, onclick: action}, text);
     this.controls.append(element(
         'div', {class: 'row'}, element('label', {class: 'zoom'}, 'Zoom ', this.zoomSlider), this.zoomText,
-        button('Whole step', 'Key 0', () => this.whole()), button('Meeting', 'Key M', () => this.meeting())));
+        button('Whole step', 'Key 0', () => this.whole()), button('Meeting', 'Key M', () => this.meeting()),
+        button('Save', 'A picture of what is seen, as PNG; key s', () => this.save())));
     this.readout = element('p', {class: 'readout', 'aria-live': 'polite'});
     this.controls.append(this.readout);
     this.node.addEventListener('keydown', (event) => this.key(event));
@@ -68,6 +72,11 @@ class Viewer {
   whole() {
     this.camera.reset();
     this.zoomTo(0);
+  }
+
+  save() {
+    this.draw();
+    savePicture(this.node);
   }
 
   /** To the time of the meeting, and as near as there is something to see. */
@@ -89,6 +98,7 @@ class Viewer {
       '-': () => this.zoomTo(this.zoom - 1),
       '0': () => this.whole(),
       'm': () => this.meeting(),
+      's': () => this.save(),
       '[': () => this.timeline.jump(-1),
       ']': () => this.timeline.jump(1),
       ' ': () => this.timeline.toggle()
@@ -143,7 +153,7 @@ class Viewer {
     }
     const foot = footOf(s);
     this.drawPlane(place, foot, pixels, colours);
-    this.drawElements(view, place, foot, s, 5, colours, 1);
+    this.drawElements(view, place, foot, s, 6, colours, 1);
     const gap = motion.gap(s), a = place(foot), b = place(added(foot, gap));
     canvas.line(a, b, 2, colours.ink, 1, 0.004);
     canvas.dot(a, 5, colours.ink, 1, 0.005);
@@ -153,12 +163,13 @@ class Viewer {
     canvas.end();
     this.drawLabels(place, foot);
     this.say(gap, pixels);
+    if (this.keepsState) keepInAddress(s, this.zoom, this.camera);
   }
 
   /** The second element has thinner lines, and lies before the first one: where they coincide, both are seen. */
   drawElements(view, place, foot, s, width, colours, alpha) {
     const first = this.picture.first, corners = this.picture.corners.map((_, i) => view(this.motion.corner(i, s)));
-    const pen = penOf(width), thin = {...pen, width: 0.6 * width, lift: pen.lift + 4e-4};
+    const pen = penOf(width), thin = {...pen, width: 0.5 * width, lift: pen.lift + 4e-4};
     drawElement(this.canvas, place(foot), corners.slice(0, first), pen, colours.a, alpha);
     const b = place(added(foot, this.motion.gap(s)));
     drawElement(this.canvas, b, corners.slice(first), thin, colours.b, alpha);
@@ -221,8 +232,9 @@ class Viewer {
       // Across the edge: up for the first element, down for the second one.
       const up = (Math.abs(out[0]) > 1e-6 ? Math.sign(out[0]) : 1) * (i < first ? 1 : -1);
       const across = own.length > 2 ? [0, 0] : [-out[1] * up, out[0] * up];
-      let x = this.canvas.width / 2 + p[0] + 12 * out[0] + 15 * across[0];
-      let y = this.canvas.height / 2 - p[1] - 12 * out[1] - 15 * across[1];
+      const far = own.length > 2 ? 20 : 12;
+      let x = this.canvas.width / 2 + p[0] + far * out[0] + 15 * across[0];
+      let y = this.canvas.height / 2 - p[1] - far * out[1] - 15 * across[1];
       while (shown.some((q) => Math.abs(q[0] - x) < 26 && Math.abs(q[1] - y) < 18)) y += 18;
       const visible = x > 12 && y > 12 && x < this.canvas.width - 12 && y < this.canvas.height - 12;
       label.style.display = visible ? '' : 'none';
@@ -260,9 +272,9 @@ function removeControls(parent) {
 }
 
 /** Makes the still pictures of the page live; they stay where there is no WebGL 2. */
-function startViewer(parent, picture) {
+function startViewer(parent, picture, keepsState = false) {
   try {
-    return new Viewer(parent, picture);
+    return new Viewer(parent, picture, keepsState);
   } catch (error) {
     removeControls(parent);
     parent.append(element('p', {class: 'note'}, 'A still picture: ' + error.message + '.'));
