@@ -23,7 +23,7 @@ namespace {
 /// The library's answers, changed by a fault.
 BodySolver with_fault(const std::function<void(BodyReply&)>& fault) {
   return [fault](const Bodies& bodies, const std::vector<RigidMotion>& motions) {
-    BodyReply reply = library_reply(bodies, motions);
+    BodyReply reply = library_body_reply(bodies, motions);
     fault(reply);
     return reply;
   };
@@ -86,7 +86,7 @@ TEST_CASE("fuzzed bodies: a dropped pair is found, and shrunk to the two element
   CHECK(finding.count > 1);
   CHECK(elements_of(finding.scene) <= 8);  // two edges have six
   CHECK(judge_bodies(finding.scene, with_fault(drop)));
-  CHECK(!judge_bodies(finding.scene, library_reply));
+  CHECK(!judge_bodies(finding.scene, library_body_reply));
   const families::BodyScene before =
       families::body_scene(families::kEveryBodyFamily.at(finding.name.family), finding.name.seed, finding.name.index);
   CHECK(difficulty(finding.scene) < difficulty(before));

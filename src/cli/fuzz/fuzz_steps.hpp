@@ -8,17 +8,17 @@
 #include <touchstone/fuzz.hpp>
 
 #include "cli/shared/command_line/command.hpp"
-#include "fuzz/scenes/scene_search.hpp"
 
 namespace touchstone::cli {
 
 struct FuzzStepsOptions {
-  std::string command;                    ///< of the program under test; empty: the library itself
-  double limit = 10;                      ///< seconds that it may take for a reply
-  StepFuzzOptions search;                 ///< threads 0: all that the machine has; without `stop`
-  std::optional<std::uint64_t> cases;     ///< none: as many as there are in the seconds
-  std::optional<fuzz::SceneCase> a_case;  ///< this one alone
-  std::string out;                        ///< a folder for the shrunk steps; empty: none
+  bool bodies = false;                 ///< about steps of whole bodies, not of a mesh
+  std::string command;                 ///< of the program under test; empty: the library itself
+  double limit = 10;                   ///< seconds that it may take for a reply
+  StepFuzzOptions search;              ///< threads 0: all that the machine has; without `stop`
+  std::optional<std::uint64_t> cases;  ///< none: as many as there are in the seconds
+  std::string a_case;                  ///< this one alone; empty: all
+  std::string out;                     ///< a folder for the shrunk steps; empty: none
 };
 
 int run_fuzz_steps(const FuzzStepsOptions& options);

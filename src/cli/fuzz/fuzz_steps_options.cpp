@@ -4,10 +4,10 @@
 #include <functional>
 #include <memory>
 
+#include "cli/fuzz/found_steps.hpp"
 #include "cli/fuzz/fuzz_steps.hpp"
 #include "cli/shared/command_line/common_options.hpp"
 #include "cli/shared/words.hpp"
-#include "families/step_scenes.hpp"
 #include "io/times.hpp"
 
 namespace touchstone::cli {
@@ -27,10 +27,11 @@ OptionCheck check_fraction() {
   return check_range("in [0, 1]", [](double x) { return x >= 0 && x <= 1; });
 }
 
-std::string family_lines() {
-  std::string text, line = "Families:";
-  for (const std::string_view name : families::step_families()) {
-    if (line.size() + name.size() > 108) text += line + "\n", line = "         ";
+std::string family_lines(std::string line, bool bodies) {
+  const std::string indent(line.size(), ' ');
+  std::string text;
+  for (const std::string_view name : families_of_steps(bodies)) {
+    if (line.size() + name.size() > 108) text += line + "\n", line = indent;
     line.append(" ").append(name);
   }
   return text + line + "\n";
@@ -43,6 +44,8 @@ void add_fuzz_steps(CLI::App& program, Command& command) {
   options->search.threads = 0;
   CLI::App* const subcommand = program.add_subcommand(
       "fuzz-steps", "Break a simulator's collision detection: the simplest steps of a mesh on which it is wrong");
+  subcommand->add_flag("--bodies", options->bodies,
+                       "Steps of whole rigid bodies that turn, in place of steps of a mesh");
   const auto number = [&](const std::string& name, auto& value, const std::string& about, const OptionCheck& check) {
     return subcommand
         ->add_option_function<std::string>(
@@ -68,11 +71,6 @@ void add_fuzz_steps(CLI::App& program, Command& command) {
                           ->add_option("--family", options->search.families,
                                        "Only steps of this family (default: all; may be given more than once)")
                           ->type_name("FAMILY")
-                          ->check([](const std::string& name) {
-                            const auto& known = families::step_families();
-                            const bool is_known = std::find(known.begin(), known.end(), name) != known.end();
-                            return is_known ? std::string() : name + " is no family; see touchstone fuzz-steps --help";
-                          })
                           ->allow_extra_args(false));
   of_search.push_back(subcommand->add_option("--seed", options->search.seed, "The seed of the steps (default: 1)")
                           ->type_name("N")
@@ -88,26 +86,19 @@ void add_fuzz_steps(CLI::App& program, Command& command) {
                              "is given)",
                              check_range("a number of seconds above 0", [](double x) { return x > 0 && x <= 1e9; }))
                           ->type_name("S"));
-  auto* const a_case = subcommand
-                           ->add_option_function<std::string>(
-                               "--case",
-                               [options](const std::string& text) {
-                                 options->a_case = fuzz::parse_scene_case(families::step_families(), text);
-                               },
-                               "Only this step, with its name from a finding: \"FAMILY SEED INDEX\"")
-                           ->type_name("CASE")
-                           ->check([](const std::string& text) {
-                             return fuzz::parse_scene_case(families::step_families(), text)
-                                        ? std::string()
-                                        : text + " is no case; it must be \"FAMILY SEED INDEX\"";
-                           });
+  auto* const a_case =
+      subcommand
+          ->add_option("--case", options->a_case, "Only this step, with its name from a finding: \"FAMILY SEED INDEX\"")
+          ->type_name("CASE")
+          ->check(
+              [](const std::string& text) { return text.empty() ? std::string("the case is empty") : std::string(); });
   for (CLI::Option* const option : of_search) a_case->excludes(option);
   subcommand->add_flag_callback(
       "--no-separation", [options] { options->search.separations = false; },
-      "Ask about touching alone, for a program that knows no separation");
+      "Ask about touching alone, for a program that knows no separation; bodies have no radii either");
   subcommand->add_flag_callback(
       "--no-groups", [options] { options->search.groups = false; },
-      "No groups of vertices that do not collide, for a program that knows none");
+      "No groups of vertices that do not collide, and no such pairs of bodies, for a program that knows none");
   subcommand->add_flag("--may-end-in-contact", options->search.may_end_in_contact,
                        "A free step may end in its first contact (default: it must end before)");
   subcommand->add_flag_callback(
@@ -121,9 +112,10 @@ void add_fuzz_steps(CLI::App& program, Command& command) {
          "The greatest part of the step by which a first contact may be told late (default: 0)", check_fraction())
       ->type_name("F");
   subcommand
-      ->add_option(
-          "--out", options->out,
-          "The folder for the shrunk steps, as frames that touchstone mesh reads; it is made when it is missing")
+      ->add_option("--out", options->out,
+                   "The folder for the shrunk steps, as files that touchstone mesh or touchstone bodies reads; it is "
+                   "made when it "
+                   "is missing")
       ->type_name("FOLDER");
   subcommand
       ->add_option("--findings", options->search.findings, "The most findings to shrink and show; 0: all (default: 32)")
@@ -134,7 +126,8 @@ void add_fuzz_steps(CLI::App& program, Command& command) {
       ->type_name("N")
       ->check(CLI::Range(1, 1024));
   subcommand->footer(
-      "Makes seeded steps of small meshes that are hard, asks the program, and judges its replies by the exact "
+      "Makes seeded steps of small meshes or bodies that are hard, asks the program, and judges its replies by the "
+      "exact "
       "answers\n"
       "to all pairs of elements:\n"
       "  free           missed, late: the step goes on to a contact   early: a stall, or farther before it than "
@@ -144,10 +137,11 @@ void add_fuzz_steps(CLI::App& program, Command& command) {
       "  all            crash, hang, malformed; differs: asked again, it says something else\n"
       "Failures of one class and one question are one finding. Its simplest step is shrunk: fewest elements "
       "first.\n\n" +
-      family_lines() +
+      family_lines("Families:", false) + family_lines("Families of --bodies:", true) +
       "\nExamples\n"
       "  touchstone fuzz-steps --solver-command \"python3 theirs.py\" --out broken     see share/touchstone/examples\n"
       "  touchstone fuzz-steps --solver-command ./theirs --case \"steps_stack 1 17\"\n"
+      "  touchstone fuzz-steps --bodies --solver-command \"python3 theirs.py\" --no-separation\n"
       "  touchstone fuzz-steps --cases 100000                                        the library itself\n\n"
       "Exit status: 0 no failure, 1 some failure, 2 bad usage or a file that cannot be written.");
   subcommand->callback([options, &command] { command = [options] { return run_fuzz_steps(*options); }; });

@@ -3,6 +3,7 @@
 
 #include <initializer_list>
 #include <sstream>
+#include <utility>
 
 #include "fuzz/bodies/shrink_bodies.hpp"
 #include "numbers/doubles/decimal_text.hpp"
@@ -48,8 +49,7 @@ std::vector<std::string_view> body_families() {
 std::string to_string(const BodyFinding& finding) {
   std::ostringstream out;
   const BodyScene& scene = finding.scene;
-  out << touchstone::name_of(finding.failure.failure) << " " << finding.count << " time"
-      << (finding.count == 1 ? "" : "s") << ", " << finding.failure.question << ": " << finding.failure.detail << "\n";
+  out << headline_of(finding.failure, finding.count);
   for (std::size_t b = 0; b < scene.shapes.size(); ++b) {
     const auto& [elements, points] = scene.shapes[b];
     out << "  body " << b << "  points";
@@ -67,19 +67,34 @@ std::string to_string(const BodyFinding& finding) {
     out << "  separation " << numbers::decimal_text(scene.separation.distance) << ", "
         << touchstone::name_of(scene.separation.metric) << "\n";
   }
+  out << "  found as " << case_text(body_families(), finding.name) << "\n";
   return out.str();
 }
 
-BodyFuzzOutcome fuzz_bodies(const BodySolver& solver, const SceneSettings& settings, const SceneWatch& watch) {
+SceneSort<BodyScene> body_scenes(std::function<BodyScene(const SceneCase&)> make,
+                                 std::function<SceneJudge<BodyScene>()> new_judge) {
   SceneSort<BodyScene> sort;
   sort.families = body_families();
-  sort.make = [](const SceneCase& name) {
-    return families::body_scene(families::kEveryBodyFamily.at(name.family), name.seed, name.index);
-  };
-  sort.new_judge = [&] { return [&](const BodyScene& scene) { return judge_bodies(scene, solver); }; };
+  sort.make = std::move(make);
+  sort.new_judge = std::move(new_judge);
   sort.difficulty = [](const BodyScene& scene) { return difficulty(scene); };
   sort.shrink = shrink_bodies;
-  return search_scenes(sort, settings, watch);
+  return sort;
+}
+
+std::vector<std::string> left_out_of_bodies(const StepFuzzOptions& options) {
+  std::vector<std::string> left_out;
+  if (!options.separations) left_out.emplace_back("separations and radii");
+  if (!options.groups) left_out.emplace_back("pairs of bodies that never collide");
+  return left_out;
+}
+
+BodyFuzzOutcome fuzz_bodies(const BodySolver& solver, const SceneSettings& settings, const SceneWatch& watch) {
+  const auto make = [](const SceneCase& name) {
+    return families::body_scene(families::kEveryBodyFamily.at(name.family), name.seed, name.index);
+  };
+  const auto new_judge = [&] { return [&](const BodyScene& scene) { return judge_bodies(scene, solver); }; };
+  return search_scenes(body_scenes(make, new_judge), settings, watch);
 }
 
 }  // namespace touchstone::fuzz

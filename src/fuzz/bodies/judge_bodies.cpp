@@ -14,7 +14,7 @@
 #include <touchstone/curved.hpp>
 #include <touchstone/error.hpp>
 
-#include "numbers/doubles/decimal_text.hpp"
+#include "fuzz/scenes/judge_reply.hpp"
 
 namespace touchstone::fuzz {
 namespace {
@@ -22,20 +22,6 @@ namespace {
 using families::BodyScene;
 
 constexpr double kNever = std::numeric_limits<double>::infinity();
-
-/// The contacts of all pairs, each asked by itself.
-std::vector<BodyContact> exact_contacts(const Bodies& bodies, const std::vector<RigidMotion>& motions) {
-  std::vector<BodyContact> contacts;
-  for (const BodyPair& pair : families::every_pair(bodies)) {
-    const Separation separation = separation_of(bodies, pair);
-    SolveOptions options;
-    options.separation = separation;
-    options.method = Method::exact;
-    const Answer answer = solve(query_of(bodies, pair, motions), options);
-    if (answer.contact) contacts.push_back({pair, separation, answer});
-  }
-  return contacts;
-}
 
 /// The pairs that first come into contact, of those that are not at the start.
 std::vector<BodyContact> exact_first(const Bodies& bodies, const std::vector<RigidMotion>& motions,
@@ -61,8 +47,6 @@ bool same_answers(const Answer& a, const Answer& b) {
   return a.toi == b.toi && a.toi_upper == b.toi_upper && a.nature == b.nature && a.starts_within == b.starts_within &&
          a.feature_a == b.feature_a && a.feature_b == b.feature_b;
 }
-
-std::string at_time(double time) { return std::string(" at ").append(numbers::decimal_text(time)); }
 
 /// The first difference of lists in any order. @param question  in which they were told
 std::optional<SceneFailure> difference_of_lists(const Bodies& bodies, const std::vector<BodyContact>& told,
@@ -181,7 +165,20 @@ std::optional<SceneFailure> judge_step(const Bodies& bodies, const std::vector<R
 
 }  // namespace
 
-BodyReply library_reply(const Bodies& bodies, const std::vector<RigidMotion>& motions) {
+std::vector<BodyContact> exact_contacts(const Bodies& bodies, const std::vector<RigidMotion>& motions) {
+  std::vector<BodyContact> contacts;
+  for (const BodyPair& pair : families::every_pair(bodies)) {
+    const Separation separation = separation_of(bodies, pair);
+    SolveOptions options;
+    options.separation = separation;
+    options.method = Method::exact;
+    const Answer answer = solve(query_of(bodies, pair, motions), options);
+    if (answer.contact) contacts.push_back({pair, separation, answer});
+  }
+  return contacts;
+}
+
+BodyReply library_body_reply(const Bodies& bodies, const std::vector<RigidMotion>& motions) {
   return {first_contact(bodies, motions), all_contacts(bodies, motions), candidates(bodies, motions),
           free_step(bodies, motions)};
 }

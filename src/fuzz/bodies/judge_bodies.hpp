@@ -25,10 +25,13 @@ struct BodyReply {
 /// The function under test. The start is to be asked about, too.
 using BodySolver = std::function<BodyReply(const Bodies&, const std::vector<RigidMotion>&)>;
 
-/// The answers of the library.
-BodyReply library_reply(const Bodies& bodies, const std::vector<RigidMotion>& motions);
+/// The contacts of all pairs, each asked by itself with Method::exact: no box and no tree is used.
+std::vector<BodyContact> exact_contacts(const Bodies& bodies, const std::vector<RigidMotion>& motions);
 
-/// Asks, and compares with `solve` by Method::exact for each pair of elements by itself: no box and no tree is used.
+/// The answers of the library.
+BodyReply library_body_reply(const Bodies& bodies, const std::vector<RigidMotion>& motions);
+
+/// Asks, and compares with exact_contacts.
 /// Whether a vertex is inside another body's closed surfaces is told by how often a ray from it meets them.
 /// @return nothing when all of it is right
 /// @throws InvalidQuery, InvalidMesh  for a scene without meaning

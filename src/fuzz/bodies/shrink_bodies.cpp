@@ -64,7 +64,11 @@ std::int64_t difficulty(const BodyScene& scene) {
 
 BodyScene shrink_bodies(const BodyScene& scene, const std::function<bool(const BodyScene&)>& still_fails,
                         const std::function<bool()>& stop) {
-  SceneShrinking<BodyScene> shrinking(scene, difficulty, still_fails, stop);
+  // A function that fails always would end with bodies of nothing.
+  const std::function<bool(const BodyScene&)> fails_with_a_pair = [&](const BodyScene& candidate) {
+    return !families::every_pair(candidate.bodies()).empty() && still_fails(candidate);
+  };
+  SceneShrinking<BodyScene> shrinking(scene, difficulty, fails_with_a_pair, stop);
   std::int64_t before = 0;
   do {
     before = shrinking.difficulty();

@@ -31,16 +31,6 @@ struct SceneFailure {
   std::string detail;    ///< the elements and the times, for a person
 };
 
-/// What a function under test throws when it gave no reply: a crash, a hang or words that are none.
-class NoReply : public Error {
- public:
-  NoReply(FuzzFailure failure, const std::string& reason) : Error(reason), failure_(failure) {}
-  FuzzFailure failure() const noexcept { return failure_; }
-
- private:
-  FuzzFailure failure_;
-};
-
 /// The name of a scene, from which it is made again.
 struct SceneCase {
   std::size_t family = 0;  ///< its place among the families of its sort
@@ -92,6 +82,12 @@ struct SceneSort {
   /// A simpler scene for which the first function holds; the second one ends the shrinking.
   std::function<Scene(const Scene&, const std::function<bool(const Scene&)>&, const std::function<bool()>&)> shrink;
 };
+
+/// What is wrong, without what the elements are: "missed 3 times, candidates: DETAIL", with a line feed.
+std::string headline_of(const SceneFailure& failure, std::uint64_t count);
+
+/// @throws InvalidQuery  for options without meaning, and families that are not known
+void check_step_options(const StepFuzzOptions& options, const std::vector<std::string_view>& families);
 
 /// "bodies_touch 1 17".
 std::string case_text(const std::vector<std::string_view>& families, const SceneCase& name);
@@ -181,6 +177,38 @@ SceneOutcome<Scene> search_scenes(const SceneSort<Scene>& sort, const SceneSetti
         }
       },
       watched);
+  return outcome;
+}
+
+/// The search that the options of whole steps want. The families of a case are all that the sort has.
+/// @param a_case  this case alone
+/// @param watch   in place of the options' `stop`
+/// @throws InvalidQuery  for options without meaning
+template <class Scene>
+SceneOutcome<Scene> search_scenes(SceneSort<Scene> sort, const StepFuzzOptions& options,
+                                  const std::optional<SceneCase>& a_case, const SceneWatch& watch) {
+  check_step_options(options, sort.families);
+  const std::vector<std::string_view> known = std::move(sort.families);
+  std::vector<std::size_t> chosen;
+  sort.families.clear();
+  for (std::size_t family = 0; family < known.size(); ++family) {
+    const auto& names = options.families;
+    if (!a_case && !names.empty() && std::find(names.begin(), names.end(), known[family]) == names.end()) continue;
+    chosen.push_back(family);
+    sort.families.push_back(known[family]);
+  }
+  sort.make = [&chosen, make = sort.make](const SceneCase& name) {
+    return make({chosen.at(name.family), name.seed, name.index});
+  };
+  SceneSettings settings;
+  settings.seed = options.seed;
+  if (!options.seconds) settings.cases = options.cases;
+  settings.seconds = options.seconds;
+  settings.threads = options.threads;
+  settings.most_findings = options.findings;
+  settings.a_case = a_case;
+  SceneOutcome<Scene> outcome = search_scenes(sort, settings, watch);
+  for (SceneFinding<Scene>& finding : outcome.findings) finding.name.family = chosen.at(finding.name.family);
   return outcome;
 }
 

@@ -1,15 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "fuzz/steps/fuzz_steps.hpp"
 
-#include <algorithm>
 #include <cstddef>
-#include <limits>
 #include <sstream>
 #include <string>
-#include <string_view>
 
-#include <touchstone/error.hpp>
-
+#include "fuzz/scenes/judge_reply.hpp"
 #include "fuzz/steps/judge_step.hpp"
 #include "fuzz/steps/shrink_steps.hpp"
 #include "numbers/doubles/decimal_text.hpp"
@@ -19,24 +15,6 @@ namespace fuzz {
 namespace {
 
 using families::StepScene;
-
-void check_step_options(const StepFuzzOptions& options) {
-  const auto require = [](bool holds, const std::string& reason) {
-    if (!holds) throw InvalidQuery(reason);
-  };
-  const auto is_fraction = [](double x) { return x >= 0 && x <= 1; };
-  require(options.cases > 0, "there are 0 cases; there must be 1 or more");
-  require(options.threads >= 1 && options.threads <= 1024,
-          "there are " + std::to_string(options.threads) + " threads; there must be 1 to 1024");
-  require(is_fraction(options.stall), "stall must be in [0, 1]");
-  require(is_fraction(options.late_fraction), "late_fraction must be in [0, 1]");
-  require(!options.early_fraction || is_fraction(*options.early_fraction), "early_fraction must be in [0, 1]");
-  require(!options.seconds || (*options.seconds > 0 && *options.seconds <= 1e9), "seconds must be in (0, 1e9]");
-  const auto& known = families::step_families();
-  for (const std::string& name : options.families) {
-    require(std::find(known.begin(), known.end(), name) != known.end(), "'" + name + "' is no family of steps");
-  }
-}
 
 std::vector<double> numbers_of(const std::vector<Vec3>& positions) {
   std::vector<double> numbers;
@@ -55,36 +33,15 @@ StepScene step_of(const SceneCase& name, const StepFuzzOptions& options) {
 
 SceneOutcome<StepScene> search_steps(const std::function<StepSolver()>& new_solver, const StepFuzzOptions& options,
                                      const std::optional<SceneCase>& a_case, const SceneWatch& watch) {
-  check_step_options(options);
-  const auto& known = families::step_families();
-  std::vector<std::size_t> chosen;
-  for (std::size_t family = 0; family < known.size(); ++family) {
-    const auto& names = options.families;
-    if (names.empty() || std::find(names.begin(), names.end(), known[family]) != names.end()) chosen.push_back(family);
-  }
   SceneSort<StepScene> sort;
-  for (const std::size_t family : chosen) sort.families.push_back(known[family]);
-  sort.make = [&](SceneCase name) {
-    if (!a_case) name.family = chosen.at(name.family);
-    return step_of(name, options);
-  };
+  sort.families = families::step_families();
+  sort.make = [&](const SceneCase& name) { return step_of(name, options); };
   sort.new_judge = [&] {
     return [&, solver = new_solver()](const StepScene& scene) { return judge_step(scene, solver, options); };
   };
   sort.difficulty = [](const StepScene& scene) { return difficulty(scene); };
   sort.shrink = shrink_steps;
-  SceneSettings settings;
-  settings.seed = options.seed;
-  if (!options.seconds) settings.cases = options.cases;
-  settings.seconds = options.seconds;
-  settings.threads = options.threads;
-  settings.most_findings = options.findings;
-  settings.a_case = a_case;
-  SceneOutcome<StepScene> outcome = search_scenes(sort, settings, watch);
-  for (StepFinding& finding : outcome.findings) {
-    if (!a_case) finding.name.family = chosen.at(finding.name.family);
-  }
-  return outcome;
+  return search_scenes(sort, options, a_case, watch);
 }
 
 std::vector<std::string> left_out_by(const StepFuzzOptions& options) {
@@ -119,21 +76,11 @@ StepReply library_reply(const Mesh& mesh, const Positions& x0, const Positions& 
 
 inline namespace TOUCHSTONE_ABI {
 
-bool operator==(const StepReply& a, const StepReply& b) {
-  const auto in_order = [](const StepReply& reply) {
-    std::vector<MeshPair> pairs = reply.candidates.value_or(std::vector<MeshPair>());
-    for (MeshPair& pair : pairs) pair = fuzz::with_ascending(pair);
-    std::sort(pairs.begin(), pairs.end());
-    return pairs;
-  };
-  return a.free == b.free && a.first_contact == b.first_contact &&
-         a.candidates.has_value() == b.candidates.has_value() && in_order(a) == in_order(b);
-}
+bool operator==(const StepReply& a, const StepReply& b) { return fuzz::same_replies(a, b); }
 
 std::string to_string(const StepFuzzFinding& finding) {
   std::ostringstream out;
-  out << touchstone::name_of(finding.failure) << " " << finding.count << " time" << (finding.count == 1 ? "" : "s")
-      << ", " << finding.question << ": " << finding.detail << "\n";
+  out << fuzz::headline_of({finding.failure, finding.question, finding.detail}, finding.count);
   const auto position_text = [](const std::vector<double>& positions, std::size_t v) {
     std::string text = "(";
     for (std::size_t k = 3 * v; k < 3 * v + 3; ++k) {

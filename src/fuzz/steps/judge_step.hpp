@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <cstdint>
 #include <optional>
 
 #include <touchstone/fuzz.hpp>
@@ -11,12 +10,6 @@
 #include "fuzz/scenes/scene_search.hpp"
 
 namespace touchstone::fuzz {
-
-/// The pair whose elements, if they are of one sort, are in ascending order.
-MeshPair with_ascending(const MeshPair& pair) noexcept;
-
-/// Whether the mesh has the elements with these numbers, of the sorts that the kind is about.
-bool has_pair(const Mesh& mesh, Kind kind, std::uint64_t first, std::uint64_t second);
 
 /// Asks, and compares with `solve` by Method::exact for each pair of elements by itself.
 /// @return nothing when all of it is right
