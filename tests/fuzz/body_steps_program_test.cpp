@@ -80,12 +80,10 @@ TEST_CASE_WITH("python3", "fuzz-steps --bodies: a program that ends, hangs, or s
   };
   found("sys.exit(3)", ", all: exit status 3");
   found("'{\"free\": '", "is no reply; a reply is such as {\"free\": 0.5}");
-  found(R"('{"candidates": [["edge-edge", 0, 3]]}')", "a candidate must be such as [\"edge-edge\", [0, 3], [1, 5]]");
   found(R"('{"candidates": [["edge-edge", [0, 3], [1, 99999999999]]]}')",
         "edge-edge [0, 3] [1, 4294967295] names an element that the bodies have not");
   found(R"('{"candidates": [["edge-edge", [0, 3], [2, 0]]]}')", "names an element that the bodies have not");
-  found(R"('{"candidates": ' + 9999 * '[' + 9999 * ']' + '}')", "a candidate must be such as");
-  found(R"(time.sleep(20) if globals().get("n") else globals().update(n=1) or '{"free": 1e-9, "first_contact": 0}')",
+  found(R"(time.sleep(20) if globals().get("n") else globals().update(n=1) or '{"free": 0.002}')",
         "no reply within 100 ms (are replies flushed?)", {"--limit", "0.1"});
 }
 

@@ -254,7 +254,8 @@ TEST_CASE("fuzzed steps of bodies: a line reads back as the same numbers") {
 
 TEST_CASE("fuzzed steps of bodies: the replies that a program may give") {
   const fuzz::BodyStepReply all = fuzz::read_body_reply(
-      R"({"free": 1, "first_contact": null, "candidates": [["vertex-face", [1, 3], [0, 2]], ["point-point", [0, 1], [1, 0]]]})");
+      R"({"free": 1, "first_contact": null,
+          "candidates": [["vertex-face", [1, 3], [0, 2]], ["point-point", [0, 1], [1, 0]]]})");
   CHECK(all.free == 1);
   CHECK(all.first_contact == kNoTime);
   CHECK(all.candidates ==

@@ -50,7 +50,7 @@ def pierces(edge, face):
     (a, b), (f, g, h) = edge, face
     normal = cross(minus(g, f), minus(h, f))
     sides = [dot(cross(minus(b, a), minus(p, a)), minus(q, a)) for p, q in ((f, g), (g, h), (h, f))]
-    return dot(normal, minus(a, f)) * dot(normal, minus(b, f)) <= 0 and (min(sides) >= 0 or max(sides) <= 0)
+    return dot(normal, minus(a, f)) * dot(normal, minus(b, f)) < 0 and (min(sides) > 0 or max(sides) < 0)
 
 
 def is_free(step, t):

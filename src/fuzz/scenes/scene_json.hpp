@@ -3,12 +3,14 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include <nlohmann/json.hpp>
@@ -18,8 +20,10 @@
 
 namespace touchstone::fuzz {
 
-/// The shortest decimal that reads back as the same double.
-inline void append_json(std::string& line, double x) { line.append(numbers::decimal_text(x)); }
+/// The shortest decimal that reads back as the same double: readers take -0 for an integer, which has no sign.
+inline void append_json(std::string& line, double x) {
+  line.append(x == 0 && std::signbit(x) ? "-0.0" : numbers::decimal_text(x));
+}
 inline void append_json(std::string& line, std::uint32_t x) { line.append(std::to_string(x)); }
 inline void append_json(std::string& line, const Vec3& p) {
   for (const auto& [before, x] : {std::pair{"[", p.x}, {",", p.y}, {",", p.z}}) append_json(line.append(before), x);

@@ -18,8 +18,8 @@ namespace touchstone::fuzz {
 std::string step_line(const Mesh& mesh, const Positions& x0, const Positions& x1);
 
 /// The reply of a line: an object with one or more of "free": 0.5, "first_contact": 0.25 or null, and "candidates":
-/// [["edge-edge", 0, 3], ["vertex-face", 7, 1], ...]. Whether the elements exist is not asked: a number that no mesh has
-/// is read as the greatest one. @throws NoReply  for a line that is none, with the reason
+/// [["edge-edge", 0, 3], ["vertex-face", 7, 1], ...]. Whether the elements exist is not asked: a number above all is
+/// read as the greatest one. @throws NoReply  for a line that is none, with the reason
 StepReply read_step_reply(std::string_view line);
 
 /// The program of a command line, in a process that ends with the calling thread, on which alone the function may be
