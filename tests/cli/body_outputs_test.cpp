@@ -64,7 +64,7 @@ TEST_CASE("bodies --prove: the checker accepts each step, also where a recorder 
   CHECK(run_checker(scene.folder.write("proofs.txt", proofs), {changed}).status == 1);
 }
 
-TEST_CASE("bodies --prove: separations; what has no proof is refused, and nothing is left behind") {
+TEST_CASE("bodies --prove: separations, what has no proof is refused, and nothing is left behind") {
   const BarAndWall scene;
   for (const std::string metric : {"euclidean", "max"}) {
     const std::string folder = scene.folder.path(metric);

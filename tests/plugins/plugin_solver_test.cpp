@@ -159,7 +159,7 @@ TEST_CASE("a plugin that cannot be started again is a finding, not an exception"
   CHECK(solver->ask(order(0)).state == Reply::State::answered);
 }
 
-TEST_CASE("teardown is called at the end; a process that does not end is ended") {
+TEST_CASE("teardown is called at the end, a process that does not end is ended") {
   const TemporaryFolder folder;
   const Variable note("BAD_PLUGIN_NOTE", folder.path("note"));
   double process = 0;

@@ -81,7 +81,7 @@ TEST_CASE("files of other names are frames or parts, and nothing is guessed") {
   CHECK(in_order({"gear.obj"}, Gaps::refused) == NameList{"gear.obj"});
 }
 
-TEST_CASE("files can be taken as given; the files of one pattern have the order of their numbers") {
+TEST_CASE("files can be taken as given, the files of one pattern have the order of their numbers") {
   const TemporaryFolder folder;
   for (const char* name : {"f-1.obj", "f-2.obj", "f-10.obj", "f-40.obj", "gear.obj", "shaft.obj"}) {
     folder.write(name, "");

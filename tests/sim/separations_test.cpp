@@ -126,7 +126,7 @@ TEST_CASE("on a straight cable, segments with less than pi r between them are ne
   CHECK(thin.colliders.separation(two_edges(thin.colliders, 0, 20)) == 0);
 }
 
-TEST_CASE("elements that a short spring joins are neighbours, colliding or not; those of a long one are not") {
+TEST_CASE("elements that a short spring joins are neighbours, colliding or not, those of a long one are not") {
   for (const double length : {0.1, 0.2}) {
     Scene scene;
     add_particle(scene, {-1, 0, 0}, 1), add_particle(scene, {0, 0, 0}, 1);

@@ -110,7 +110,7 @@ TEST_CASE("a vertex at rest keeps its drawn place while others move away") {
   CHECK(still.steps == std::vector<std::uint16_t>{0, 0, 0});
 }
 
-TEST_CASE("of more frames than fit, every second one goes; the first and the last stay, and counts add up") {
+TEST_CASE("of more frames than fit, every second one goes, the first and the last stay, and counts add up") {
   AnimationLimits limits;
   limits.frames = 10;
   for (const std::uint64_t frames : {1U, 2U, 9U, 10U, 11U, 12U, 37U, 160U, 161U}) {
@@ -140,7 +140,7 @@ TEST_CASE("of more frames than fit, every second one goes; the first and the las
   }
 }
 
-TEST_CASE("what does not fit into a page is left out, and the page says so; what cannot fit is refused") {
+TEST_CASE("what does not fit into a page is left out, and the page says so, what cannot fit is refused") {
   AnimationLimits limits;
   limits.exact_bytes = 5 * 24 * 3;
   limits.marks = 2;
