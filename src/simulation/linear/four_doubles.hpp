@@ -18,6 +18,7 @@ struct FourDoubles {
   FourDoubles& operator/=(const FourDoubles& b) { return *this = *this / b; }
   friend FourDoubles operator+(const FourDoubles& a, const FourDoubles& b) { return FourDoubles(a.each + b.each); }
   friend FourDoubles operator-(const FourDoubles& a, const FourDoubles& b) { return FourDoubles(a.each - b.each); }
+  friend FourDoubles operator-(const FourDoubles& a) { return FourDoubles(-a.each); }  // for Eigen 5
   friend FourDoubles operator*(const FourDoubles& a, const FourDoubles& b) { return FourDoubles(a.each * b.each); }
   friend FourDoubles operator/(const FourDoubles& a, const FourDoubles& b) { return FourDoubles(a.each / b.each); }
   friend bool operator==(const FourDoubles& a, const FourDoubles& b) { return (a.each == b.each).all(); }
