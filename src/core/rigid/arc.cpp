@@ -117,8 +117,9 @@ struct NearlyConstantTurn {
 
 // With qa(t) and qb(t) straight in t, s(t) = conj(qa(t)) qb(t) is a quadratic curve: the control points are
 // v0 = conj(qa(from)) qb(from), v1, half of conj(qa(from)) qb(to) + conj(qa(to)) qb(from), and
-// v2 = conj(qa(to)) qb(to), so s(t) is a sum of them with weights that are not negative. All that leans from a unit vector u by an angle of at
-// most f < 90 degrees is a cone, which is convex: it has all of s(t) if it has the control points. Of v, tan(f) is
+// v2 = conj(qa(to)) qb(to), so s(t) is a sum of them with weights that are not negative. All that leans from a unit
+// vector u by an angle of at most f < 90 degrees is a cone, which is convex: it has all of s(t) if it has the control
+// points. Of v, tan(f) is
 // |v - (v . u) u| / (v . u). The direction of s(t) is at most 2 sin(f / 2) <= tan(f) from u.
 //
 // The roundings, e = 2^-53: components of qa and qb are up to 1 and off by 2 e, so the lengths are up to 2 and off by

@@ -12,8 +12,8 @@
 
 namespace touchstone::view {
 
-/// `text` as the text of an element or of a quoted attribute: & < > " ' are escaped, control characters (io::is_control)
-/// but for line ends and tabs become U+FFFD, and so do bytes that are no UTF-8.
+/// `text` as the text of an element or of a quoted attribute: & < > " ' are escaped, control characters
+/// (io::is_control) but for line ends and tabs become U+FFFD, and so do bytes that are no UTF-8.
 std::string escaped(std::string_view text);
 
 /// JSON for a script element of the type application/json: every < > & of a string is written as \u003c and so on, so
