@@ -7,6 +7,7 @@
 #include <cstring>
 #include <functional>
 #include <limits>
+#include <mutex>
 #include <string>
 #include <vector>
 
@@ -195,6 +196,28 @@ TEST_CASE("fuzzed steps of bodies: each sort of wrong reply is found", "[slow]")
     }
     CHECK(found);
   }
+}
+
+TEST_CASE("fuzzed steps of bodies: a reply of 0 is right where bodies intersect at the start, and only there") {
+  std::uint64_t intersecting = 0;
+  const auto replies_0 = [&](bool only_there) {
+    return wrong_steps(
+        [&, only_there](const Bodies& bodies, const std::vector<RigidMotion>& motions) {
+          std::vector<Pose> poses;
+          for (const RigidMotion& motion : motions) poses.push_back({motion.q0, motion.p0});
+          const bool there = !intersections(bodies, poses).empty();
+          static std::mutex mutex;
+          const std::lock_guard lock(mutex);
+          intersecting += there;
+          fuzz::BodyStepReply reply;
+          if (there || !only_there) reply.free = reply.first_contact = 0;
+          return reply;
+        },
+        40, {"bodies_random"});
+  };
+  CHECK(replies_0(true).findings.empty());
+  CHECK(intersecting > 0);
+  CHECK_FALSE(replies_0(false).findings.empty());
 }
 
 TEST_CASE("fuzzed steps of bodies: what the options leave out is not there") {

@@ -83,7 +83,8 @@ void add_files(const BodyScene& scene, FoundStep& found) {
     };
     row(0, motion.p0, motion.q0), row(1, motion.p1, motion.q1);
     found.files.emplace_back(fmt::format("-{}.obj", b), obj_text(bodies.bodies[b].mesh(), bodies.bodies[b].points()));
-    has_radii = has_radii || !scene.shapes[b].elements.radii.empty();
+    const std::vector<double>& radii = scene.shapes[b].elements.radii;
+    has_radii = has_radii || std::any_of(radii.begin(), radii.end(), [](double radius) { return radius > 0; });
   }
   found.files.emplace_back("-poses.csv", poses);
   found.files.emplace_back(".json", fuzz::bodies_line(bodies, scene.motions));

@@ -44,6 +44,7 @@ std::string repeat_command(const FuzzStepsOptions& options, const std::string& c
   std::string text = "  touchstone fuzz-steps";
   if (options.bodies) text += " --bodies";
   if (!options.command.empty()) text += " --solver-command " + shell_word(options.command);
+  if (options.limit != FuzzStepsOptions().limit) text += fmt::format(" --limit {}", options.limit);
   if (!options.search.separations) text += " --no-separation";
   if (!options.search.groups) text += " --no-groups";
   if (options.search.may_end_in_contact) text += " --may-end-in-contact";
@@ -77,7 +78,7 @@ int run_fuzz_steps(const FuzzStepsOptions& options) {
   const std::vector<std::string> never_asked =
       options.bodies ? fuzz::left_out_of_bodies(search) : fuzz::left_out_by(search);
   for (const std::string& what : never_asked) left_out += "; " + what + " were left out";
-  if (options.bodies) left_out += "; a body inside another one counts only where they touch";
+  if (options.bodies) left_out += "; intersections at the start were not asked about";
   std::string summary =
       fmt::format("{}: {} asked, {} with a wrong reply{}{}\n", who, io::counted(outcome.steps, "step"),
                   grouped(outcome.failures), left_out, outcome.stopped ? "; interrupted" : "");

@@ -47,7 +47,13 @@ std::optional<SceneFailure> judge_body_step(const BodyScene& scene, const BodySt
            " names an element that the bodies have not";
   };
   const auto describe = [&bodies](const BodyPair& pair) { return touchstone::describe(bodies, pair); };
-  const ReplyJudge<BodyContact> judge(exact_contacts(bodies, scene.motions), fault, describe, options);
+  const auto intersects_at_start = [&] {
+    std::vector<Pose> poses;
+    for (const RigidMotion& motion : scene.motions) poses.push_back({motion.q0, motion.p0});
+    return !intersections(bodies, poses).empty();
+  };
+  const ReplyJudge<BodyContact> judge(exact_contacts(bodies, scene.motions), fault, describe, intersects_at_start,
+                                      options);
   return judge.judge([&] { return solver(bodies, scene.motions); });
 }
 

@@ -61,9 +61,15 @@ class ReplyJudge {
   /// @param exact     every pair in contact
   /// @param fault     why a pair is none of the scene's; empty for one that is
   /// @param describe  a pair for a person
+  /// @param intersects_at_start  whether elements pierce each other at the start: then 0 is right, too
   ReplyJudge(std::vector<Contact> exact, std::function<std::string(const Pair&)> fault,
-             std::function<std::string(const Pair&)> describe, const StepFuzzOptions& options)
-      : exact_(std::move(exact)), fault_(std::move(fault)), describe_(std::move(describe)), options_(options) {
+             std::function<std::string(const Pair&)> describe, std::function<bool()> intersects_at_start,
+             const StepFuzzOptions& options)
+      : exact_(std::move(exact)),
+        fault_(std::move(fault)),
+        describe_(std::move(describe)),
+        intersects_at_start_(std::move(intersects_at_start)),
+        options_(options) {
     const auto earlier = [](const Contact& a, const Contact& b) {
       return std::tie(a.answer.toi, a.answer.toi_upper) < std::tie(b.answer.toi, b.answer.toi_upper);
     };
@@ -134,6 +140,7 @@ class ReplyJudge {
                          text_of(*first_));
       }
     }
+    if (free == 0 && intersects_at_start_()) return std::nullopt;
     const double room = first_ == nullptr ? 1 : first_->answer.toi;
     const std::string text = first_ == nullptr ? ", and no contact" : ", and " + text_of(*first_);
     if (free < options_.stall * room) return wrong(FuzzFailure::early, text + ": a stall");
@@ -150,6 +157,7 @@ class ReplyJudge {
     const bool denies = told == std::numeric_limits<double>::infinity();
     const std::string text = "told" + at_time(told) + ", and exactly ";
     if (!denies && !is_fraction(told)) return wrong(FuzzFailure::malformed, "told" + at_time(told));
+    if (told == 0 && intersects_at_start_()) return std::nullopt;
     if (denies && first_ != nullptr) return wrong(FuzzFailure::missed, text_of(*first_));
     if (!denies && first_ == nullptr) return wrong(FuzzFailure::phantom, text + "none");
     if (denies) return std::nullopt;
@@ -161,6 +169,7 @@ class ReplyJudge {
 
   std::vector<Contact> exact_;
   std::function<std::string(const Pair&)> fault_, describe_;
+  std::function<bool()> intersects_at_start_;
   const StepFuzzOptions& options_;
   const Contact* first_ = nullptr;
 };

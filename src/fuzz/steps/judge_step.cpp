@@ -93,7 +93,8 @@ std::optional<SceneFailure> judge_step(const StepScene& scene, const StepSolver&
            " names an element that the mesh has not";
   };
   const auto describe = [&mesh](const MeshPair& pair) { return mesh.describe(pair); };
-  const ReplyJudge<MeshContact> judge(exact_contacts(mesh, scene), fault, describe, options);
+  const auto intersects_at_start = [&] { return !intersections(mesh, x0).empty(); };
+  const ReplyJudge<MeshContact> judge(exact_contacts(mesh, scene), fault, describe, intersects_at_start, options);
   return judge.judge([&] { return solver(mesh, x0, x1); });
 }
 
