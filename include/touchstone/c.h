@@ -97,7 +97,7 @@ struct touchstone_options {
   int32_t reserved_2; /**< of no meaning; earlier structures end here */
 
   /** Of touchstone_bodies_solve_screw: into how many arcs a step is cut first, and at most while a verdict is left
-   *  open: powers of two from 4 to 2^20. */
+   *  open: powers of two from 4 to 2^20, or 0 for the default. */
   int32_t arcs;
   int32_t most_arcs; /**< it has no effect when it is less than `arcs` */
 };

@@ -38,7 +38,10 @@ int failed(touchstone_status_code status, const char* message) noexcept {
 touchstone_options options_of(const touchstone_options* options, unsigned has) {
   const touchstone_options defaults = TOUCHSTONE_OPTIONS_INIT;
   if (options == nullptr) return defaults;
-  const touchstone_options given = grown(*options, defaults, kFirstOptionsSize, "options");
+  touchstone_options given = grown(*options, defaults, kFirstOptionsSize, "options");
+  // 0 stands for the default: an options structure that a program has cleared has not asked for arcs.
+  if (given.arcs == 0) given.arcs = defaults.arcs;
+  if (given.most_arcs == 0) given.most_arcs = defaults.most_arcs;
   const auto refuse = [&](HasOptions option, bool is_default, const char* name) {
     if ((has & option) != 0 || is_default) return;
     throw InvalidArgument(std::string(name) +
