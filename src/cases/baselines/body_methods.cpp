@@ -66,13 +66,16 @@ Result solve_body_advancement(const MovingBodies& step, double tolerance) {
 const std::vector<BodyBaseline>& body_methods() {
   static const std::vector<BodyBaseline> all{
       {"waypoints",
-       "poses at even times are asked whether bodies intersect, as motion planners do; misses what lies between",
+       "poses at even times are asked whether bodies intersect, as motion planners do, here exactly, which takes "
+       "longer "
+       "than in doubles; misses what lies between",
        Tolerance::fraction,
        0.01,
        {0.1, 0.01, 0.001},
        solve_waypoints},
       {"body_advancement",
-       "steps of distance over a bound on speed; phantoms within the tolerance",
+       "steps of distance over a bound on speed, here of exact distances, which take longer than doubles; phantoms "
+       "within the tolerance, and wherever it is after 1000 steps",
        Tolerance::length,
        1e-6,
        {1e-3, 1e-6},

@@ -40,7 +40,7 @@ BodyShape ring_shape(MeshIndex around, MeshIndex across, double thickness) {
 BodyScene two_links(Rng& random) {
   BodyScene scene;
   for (int i = 0; i < 2; ++i) {
-    scene.shapes.push_back(ring_shape(12, 6, 0.2));
+    scene.shapes.push_back(ring_shape(8, 4, 0.2));
     Pose start, end;
     if (i == 1) {
       start.orientation = {1, 1, 0, 0};
@@ -61,17 +61,13 @@ bool is_fit(const BodyScene& scene) {
          scene.shapes[1].elements.radii.empty();
 }
 
-MovingBodies step_of(const BodyScene& scene, const Separation& separation) {
-  MovingBodies step{scene.bodies(), scene.motions};
-  step.bodies.separation = separation;
-  return step;
-}
+MovingBodies step_of(const BodyScene& scene) { return {scene.bodies(), scene.motions}; }
 
 /// The second body is moved aside until the two just touch, or just miss each other, by 2^-20 to 2^-4. Nothing where
 /// they do not meet as they are.
-std::optional<MovingBodies> nearly_touching(const BodyScene& scene, const Separation& separation, Rng& random) {
+std::optional<MovingBodies> nearly_touching(const BodyScene& scene, Rng& random) {
   const Vec3 way{random.symmetric(), random.symmetric(), random.symmetric()};
-  MovingBodies step = step_of(scene, separation);
+  MovingBodies step = step_of(scene);
   const auto move_aside = [&](double by) {
     RigidMotion& motion = step.motions[1] = scene.motions[1];
     for (Vec3* const p : {&motion.p0, &motion.p1}) *p = {p->x + by * way.x, p->y + by * way.y, p->z + by * way.z};
@@ -99,12 +95,13 @@ bool starts_free(const MovingBodies& step) {
 }
 
 /// @param make  a step, or nothing
-QuerySet set_of(const std::string& name, const std::string& about, std::size_t count,
+QuerySet set_of(const std::string& name, const std::string& about, std::size_t count, const BodyPulse& pulse,
                 const std::function<std::optional<MovingBodies>(std::uint64_t index)>& make) {
   QuerySet set;
   set.name = "bodies/" + name;
   set.about = "Steps of two whole bodies that turn: " + about;
   for (std::uint64_t index = 0; set.steps.size() < count; ++index) {
+    pulse();
     auto step = make(index);
     if (step && starts_free(*step)) set.steps.push_back(std::move(*step));
   }
@@ -113,31 +110,31 @@ QuerySet set_of(const std::string& name, const std::string& about, std::size_t c
 
 }  // namespace
 
-std::vector<QuerySet> body_step_sets(std::uint64_t seed, std::size_t count, const Separation& separation) {
-  const auto near = [seed, separation](std::uint64_t stream,
-                                       const std::function<BodyScene(Rng&, std::uint64_t)>& make) {
+std::vector<QuerySet> body_step_sets(std::uint64_t seed, std::size_t count, const BodyPulse& pulse) {
+  const auto near = [seed](std::uint64_t stream, const std::function<BodyScene(Rng&, std::uint64_t)>& make) {
     return [=](std::uint64_t index) -> std::optional<MovingBodies> {
       Rng random(seeded::seed_of_stream(seed + stream, index));
       const BodyScene scene = make(random, index);
       if (!is_fit(scene)) return std::nullopt;
-      return nearly_touching(scene, separation, random);
+      return nearly_touching(scene, random);
     };
   };
   const auto of_family = [seed](BodyFamily family) {
     return [seed, family](Rng&, std::uint64_t index) { return families::body_scene(family, seed, index); };
   };
   const std::string nearly = ". They just touch or just miss each other";
-  return {set_of("random", "boxes, faces and edges in random poses" + nearly, count,
-                 near(40, of_family(BodyFamily::bodies_random))),
-          set_of("touching", "boxes that touch at 1/2 or 1, or miss each other by an ulp", count,
-                 [seed, separation](std::uint64_t index) -> std::optional<MovingBodies> {
-                   const BodyScene scene = families::body_scene(BodyFamily::bodies_touch, seed, index);
-                   if (!is_fit(scene)) return std::nullopt;
-                   return step_of(scene, separation);
-                 }),
-          set_of("gears", "gears of 12 to 20 faces" + nearly, count, near(41, of_family(BodyFamily::bodies_gears))),
-          set_of("links", "rings of 144 faces through each other, like links of a slack chain" + nearly, count,
-                 near(42, [](Rng& random, std::uint64_t) { return two_links(random); }))};
+  return {
+      set_of("random", "boxes, faces and edges in random poses" + nearly, count, pulse,
+             near(40, of_family(BodyFamily::bodies_random))),
+      set_of("touching", "boxes that touch at 1/2 or 1, or miss each other by an ulp", count, pulse,
+             [seed](std::uint64_t index) -> std::optional<MovingBodies> {
+               const BodyScene scene = families::body_scene(BodyFamily::bodies_touch, seed, index);
+               if (!is_fit(scene)) return std::nullopt;
+               return step_of(scene);
+             }),
+      set_of("gears", "gears of 12 to 20 faces" + nearly, count, pulse, near(41, of_family(BodyFamily::bodies_gears))),
+      set_of("links", "rings of 64 faces through each other, like links of a slack chain" + nearly, count, pulse,
+             near(42, [](Rng& random, std::uint64_t) { return two_links(random); }))};
 }
 
 }  // namespace touchstone::report

@@ -6,14 +6,13 @@
 #include <cstdint>
 #include <vector>
 
-#include <touchstone/separation.hpp>
-
+#include "report/body_pairs.hpp"
 #include "report/query_set.hpp"
 
 namespace touchstone::report {
 
 /// `count` steps of each of four sorts, a set each: random shapes and boxes, gears, and rings like links of a chain,
 /// which just touch or just miss each other; and boxes that touch at round times or miss by an ulp. They start apart.
-std::vector<QuerySet> body_step_sets(std::uint64_t seed, std::size_t count, const Separation& separation);
+std::vector<QuerySet> body_step_sets(std::uint64_t seed, std::size_t count, const BodyPulse& pulse);
 
 }  // namespace touchstone::report

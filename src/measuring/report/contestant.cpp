@@ -96,16 +96,14 @@ std::vector<Contestant> curved_contestants(const std::vector<double>& tolerances
   return all;
 }
 
-std::vector<Contestant> body_contestants(const Separation& separation) {
+std::vector<Contestant> body_contestants() {
   std::vector<Contestant> all;
-  if (separation.distance == 0) {
-    for (const baselines::BodyBaseline& method : baselines::body_methods()) {
-      Contestant contestant{std::string(method.name), std::string(method.about), nullptr, Method::fast, 0};
-      contestant.whole = &method;
-      for (const double tolerance : method.tolerances) {
-        contestant.tolerance = tolerance;
-        all.push_back(contestant);
-      }
+  for (const baselines::BodyBaseline& method : baselines::body_methods()) {
+    Contestant contestant{std::string(method.name), std::string(method.about), nullptr, Method::fast, 0};
+    contestant.whole = &method;
+    for (const double tolerance : method.tolerances) {
+      contestant.tolerance = tolerance;
+      all.push_back(contestant);
     }
   }
   all.push_back({"touchstone", "first_contact of whole bodies; never wrong", nullptr, Method::fast, 0});

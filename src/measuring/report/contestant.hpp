@@ -63,8 +63,8 @@ std::vector<Contestant> contestants(const std::vector<double>& tolerances, const
 /// The same for queries with curved motion. No baseline for them takes a separation.
 std::vector<Contestant> curved_contestants(const std::vector<double>& tolerances, const Separation& separation = {});
 
-/// The methods for whole bodies, at tolerances of their own, and `touchstone`. No baseline takes a separation.
-std::vector<Contestant> body_contestants(const Separation& separation = {});
+/// The methods for whole bodies, at tolerances of their own, and `touchstone`. None is asked about a separation.
+std::vector<Contestant> body_contestants();
 
 /// The reply of a contestant to one query, for a separation. A contestant for curved queries gets these alone, and
 /// one for whole bodies steps of them, which have a separation of their own.
