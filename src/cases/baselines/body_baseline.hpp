@@ -1,6 +1,6 @@
 // Other people's ways to find the first contact of whole bodies that turn, written afresh to compare with. The library
-// calls none of them. They ask it about bodies at rest, which is exact: what they get wrong is due to the method alone. Their
-// times are not those of a planner in doubles.
+// calls none of them. They ask it about bodies at rest, which is exact: what they get wrong is due to the method alone.
+// Their times are not those of a planner in doubles.
 // SPDX-License-Identifier: MIT
 #pragma once
 

@@ -67,8 +67,7 @@ const std::vector<BodyBaseline>& body_methods() {
   static const std::vector<BodyBaseline> all{
       {"waypoints",
        "poses at even times are asked whether bodies intersect, as motion planners do, here exactly, which takes "
-       "longer "
-       "than in doubles; misses what lies between",
+       "longer than in doubles; misses what lies between",
        Tolerance::fraction,
        0.01,
        {0.1, 0.01, 0.001},

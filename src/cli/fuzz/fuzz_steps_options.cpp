@@ -114,8 +114,7 @@ void add_fuzz_steps(CLI::App& program, Command& command) {
   subcommand
       ->add_option("--out", options->out,
                    "The folder for the shrunk steps, as files that touchstone mesh or touchstone bodies reads; it is "
-                   "made when it "
-                   "is missing")
+                   "made when it is missing")
       ->type_name("FOLDER");
   subcommand
       ->add_option("--findings", options->search.findings, "The most findings to shrink and show; 0: all (default: 32)")
@@ -127,8 +126,7 @@ void add_fuzz_steps(CLI::App& program, Command& command) {
       ->check(CLI::Range(1, 1024));
   subcommand->footer(
       "Makes seeded steps of small meshes or bodies that are hard, asks the program, and judges its replies by the "
-      "exact "
-      "answers\n"
+      "exact answers\n"
       "to all pairs of elements:\n"
       "  free           missed, late: the step goes on to a contact   early: a stall, or farther before it than "
       "--early\n"

@@ -192,7 +192,7 @@ void add_report(CLI::App& program, Command& command) {
                    "Write a page with the error against the run time, and tables that sort. It is one file")
       ->type_name("PAGE.html")
       ->check(named_as(Output::page));
-  subcommand->add_flag("--quick", options->size.quick, "A few queries of each set: some seconds, and rough numbers");
+  subcommand->add_flag("--quick", options->size.quick, "A few queries of each set: half a minute, and rough numbers");
   add_seed_option(*subcommand, options->size.seed);
   add_separation_options(*subcommand, options->separation,
                          "The distance at which two elements are in contact. The methods beside the solver's are then "
@@ -212,7 +212,7 @@ void add_report(CLI::App& program, Command& command) {
       "  FOLDER/report.csv   every number, with version, machine and compiler\n"
       "  FOLDER/simulation.csv  how fast scenes are simulated, and in how much memory\n"
       "  FOLDER/plots/       pictures, NAME.svg\n"
-      "in about four minutes.\n\n"
+      "in some minutes.\n\n"
       "Examples\n"
       "  touchstone report --out report\n"
       "  touchstone report --quick --out report --html report.html\n"

@@ -119,8 +119,7 @@ struct NearlyConstantTurn {
 // v0 = conj(qa(from)) qb(from), v1, half of conj(qa(from)) qb(to) + conj(qa(to)) qb(from), and
 // v2 = conj(qa(to)) qb(to), so s(t) is a sum of them with weights that are not negative. All that leans from a unit
 // vector u by an angle of at most f < 90 degrees is a cone, which is convex: it has all of s(t) if it has the control
-// points. Of v, tan(f) is
-// |v - (v . u) u| / (v . u). The direction of s(t) is at most 2 sin(f / 2) <= tan(f) from u.
+// points. Of v, tan(f) is |v - (v . u) u| / (v . u). The direction of s(t) is at most 2 sin(f / 2) <= tan(f) from u.
 //
 // The roundings, e = 2^-53: components of qa and qb are up to 1 and off by 2 e, so the lengths are up to 2 and off by
 // 4 e: 16 e in a product. 4 products and 3 sums of up to 4 round each of its components by 16 e, together 32 e, and
