@@ -14,6 +14,8 @@
 #include "cli/shared/progress/pipeline.hpp"
 #include "cli/shared/progress/progress_line.hpp"
 #include "cli/shared/words.hpp"
+#include "fuzz/bodies/fuzz_bodies.hpp"
+#include "fuzz/steps/fuzz_steps.hpp"
 #include "io/counted.hpp"
 #include "io/fail.hpp"
 #include "io/output_file.hpp"
