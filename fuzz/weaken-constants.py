@@ -282,8 +282,8 @@ CURVED_FAULTS = [
     ("deviation of an arc", "solver/screw_arcs.cpp", "a * a * a / 32", "a * a * a / 512"),
     # Its roundings are many, and at their worst for no input that is known: the errors found are a twentieth of it.
     ("errors of an arc's orientations", "solver/screw_arcs.cpp", "1.2 * error", "1.2 / 64 * error"),
-    ("rounding of an arc's positions", "solver/screw_arcs.cpp", "4 * kUlp * size", "4 / 16.0 * kUlp * size"),
-    ("rounding of an arc's control points", "solver/screw_arcs.cpp", "12 * kUlp * size", "12 / 16.0 * kUlp * size"),
+    ("rounding of an arc's positions", "solver/screw_arcs.cpp", "return 4 * ", "return 4 / 16.0 * "),
+    ("an arc's chord of a curve", "solver/screw_arcs.cpp", "(degree - 1)) / 8", "(degree - 1)) / 128"),
     ("speed in a range of times", "solver/screw_arcs.cpp", "corner_speed(c) * half", "corner_speed(c) / 16 * half"),
     ("rounding of numbers with bounds", "numbers/doubles/bounded.hpp", "kRounding = 0x1p-53;", "kRounding = 0x1p-57;"),
     ("kPairSum", "numbers/doubles/bounded.hpp", "kPairSum = 4 *", "kPairSum = 4 / 16.0 *"),

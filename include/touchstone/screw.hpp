@@ -29,7 +29,7 @@ struct ScrewOptions {
   Separation separation = {};  ///< contact is to be within this of each other; with distance 0, to touch
 
   /// Into how many arcs of equal duration the step is cut first: a power of two from 4 to 2^20. Twice as many arcs have
-  /// an eighth of the deviation, down to the rounding errors of doubles.
+  /// an eighth of the deviation, or a quarter with a position on a curve, down to the rounding errors of doubles.
   int arcs = 8;
 
   /// While the verdict is `within_bound`, the number of arcs is doubled up to this: a power of two from 4 to 2^20. It
@@ -53,9 +53,9 @@ struct ScrewAnswer {
 ///
 ///     q(t) = sin((1 - t) h) / sin(h) q0 / |q0| + sin(t h) / sin(h) q1 / |q1|,   cos(h) = q0 . q1 / (|q0| |q1|),
 ///
-/// so that the body turns about one axis at a constant rate, by the angle 2 h. The position is linear in t. If it moves
-/// along this axis, the motion is a screw. See Shoemake, "Animating rotation with quaternion curves",
-/// SIGGRAPH 1985. Corners on curves are as in `solve`.
+/// so that the body turns about one axis at a constant rate, by the angle 2 h. The position is linear in t, or on the
+/// Bezier curve of RigidMotion::control_points. If it moves straight along this axis, the motion is a screw. See
+/// Shoemake, "Animating rotation with quaternion curves", SIGGRAPH 1985. Corners on curves are as in `solve`.
 ///
 /// For two edges, or a vertex and a face, a contact is proved if the elements pass through each other. A small change
 /// of the motion undoes some touches: a graze, and every touch of two points or of a point and an edge. Such a touch is

@@ -88,25 +88,6 @@ inline BigQuaternion lerp(const std::array<double, 4>& a, const std::array<doubl
   return q;
 }
 
-/// The vector part of q X q* / |q|^2, and the position.
-inline BigPoint placed(const BigQuaternion& q, const Vec3& point, const RigidMotion& motion, const Big& t) {
-  const BigPoint x = {point.x, point.y, point.z};
-  const BigPoint p0 = {motion.p0.x, motion.p0.y, motion.p0.z}, p1 = {motion.p1.x, motion.p1.y, motion.p1.z};
-  // q X = (-v . X, w X + v x X), and then by q* = (w, -v).
-  const Big w = Big(0) - (q[1] * x[0] + q[2] * x[1] + q[3] * x[2]);
-  BigPoint inner, result;
-  for (std::size_t k = 0; k < 3; ++k) {
-    const std::size_t l = (k + 1) % 3, m = (k + 2) % 3;
-    inner[k] = q[0] * x[k] + q[1 + l] * x[m] - q[1 + m] * x[l];
-  }
-  for (std::size_t k = 0; k < 3; ++k) {
-    const std::size_t l = (k + 1) % 3, m = (k + 2) % 3;
-    const Big turned = q[0] * inner[k] - w * q[1 + k] - (inner[l] * q[1 + m] - inner[m] * q[1 + l]);
-    result[k] = turned / dot(q, q) + (Big(1) - t) * p0[k] + t * p1[k];
-  }
-  return result;
-}
-
 /// A point of the Bezier curve.
 inline BigPoint on_curve(const CurvedCorner& corner, const Big& t) {
   std::array<BigPoint, 4> b;
@@ -118,6 +99,35 @@ inline BigPoint on_curve(const CurvedCorner& corner, const Big& t) {
     }
   }
   return b[0];
+}
+
+/// Where the body's origin is.
+inline BigPoint position_of(const RigidMotion& motion, const Big& t) {
+  const auto& [a, b] = motion.inner;
+  switch (motion.control_points) {
+    case 3: return on_curve(CurvedCorner::on_curve({motion.p0, a, motion.p1}), t);
+    case 4: return on_curve(CurvedCorner::on_curve({motion.p0, a, b, motion.p1}), t);
+    default: return on_curve(CurvedCorner::on_curve({motion.p0, motion.p1}), t);
+  }
+}
+
+/// The vector part of q X q* / |q|^2, and the position.
+inline BigPoint placed(const BigQuaternion& q, const Vec3& point, const RigidMotion& motion, const Big& t) {
+  const BigPoint x = {point.x, point.y, point.z};
+  const BigPoint position = position_of(motion, t);
+  // q X = (-v . X, w X + v x X), and then by q* = (w, -v).
+  const Big w = Big(0) - (q[1] * x[0] + q[2] * x[1] + q[3] * x[2]);
+  BigPoint inner, result;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const std::size_t l = (k + 1) % 3, m = (k + 2) % 3;
+    inner[k] = q[0] * x[k] + q[1 + l] * x[m] - q[1 + m] * x[l];
+  }
+  for (std::size_t k = 0; k < 3; ++k) {
+    const std::size_t l = (k + 1) % 3, m = (k + 2) % 3;
+    const Big turned = q[0] * inner[k] - w * q[1 + k] - (inner[l] * q[1 + m] - inner[m] * q[1 + l]);
+    result[k] = turned / dot(q, q) + position[k];
+  }
+  return result;
 }
 
 /// A corner whose body turns at a constant rate.

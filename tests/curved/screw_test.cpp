@@ -29,6 +29,17 @@ Big distance_between(const BigPoint& a, const BigPoint& b) {
   return sqrt(sum);
 }
 
+/// Puts the position on a curve: far from its chord, near it, or on it at another pace.
+void bend(RigidMotion& motion, Rng& rng) {
+  const double size = std::ldexp(20, -rng.between(0, 50));
+  motion.control_points = rng.between(3, 4);
+  for (Vec3& x : motion.inner) {
+    x = motion.p0;
+    if (rng.one_in(4)) continue;
+    for (double Vec3::*const axis : {&Vec3::x, &Vec3::y, &Vec3::z}) x.*axis += size * rng.symmetric();
+  }
+}
+
 /// Random bodies, of all turns from none to nearly a whole one, and of all sizes.
 CurvedQuery any_turn(Rng& rng) {
   CurvedQuery query = random_query(rng.one_in(2) ? Kind::edge_edge : Kind::vertex_face, rng);
@@ -45,6 +56,7 @@ CurvedQuery any_turn(Rng& rng) {
     if (rng.one_in(3)) motion.p0 = motion.p1 = {0, 0, 0};  // nothing but the turn is off
     const double length = std::ldexp(1, rng.between(-300, 300));
     for (double& c : motion.q1) c *= length;
+    if (rng.one_in(3)) bend(motion, rng);
   }
   if (rng.one_in(4)) {
     for (CurvedCorner& corner : query.corners) {
@@ -153,6 +165,46 @@ TEST_CASE("the tip of a rod passes through a wall at a third of a quarter turn")
   CHECK(name_of(ScrewVerdict::contact) == "contact");
 }
 
+/// A point of a body that flies the parabola y = 4 h t (1 - t), and turns about itself, against a wall at y = 1.
+CurvedQuery thrown_at_wall(double h) {
+  CurvedQuery query = tip_and_wall(1);
+  RigidMotion& motion = query.motions[0];
+  query.corners[0].points[0] = {};
+  motion.p1 = {1, 0, 0};
+  motion.control_points = 3;
+  motion.inner[0] = {0.5, 2 * h, 0};
+  return query;
+}
+
+TEST_CASE("a body on a parabola reaches a wall when its formula says so") {
+  double width = 1;
+  for (int arcs = 16; arcs <= 4096; arcs *= 4) {
+    const ScrewAnswer answer = solve_screw(thrown_at_wall(4.0 / 3), {1, {}, arcs, arcs});  // y = 1 at t = 1/4
+    CAPTURE(arcs, answer.free_until, answer.contact_by, answer.deviation);
+    REQUIRE(answer.verdict == ScrewVerdict::contact);
+    CHECK(answer.free_until <= 0.25);
+    CHECK(answer.contact_by >= 0.25);
+    CHECK(answer.contact_by - answer.free_until < width / 8);
+    width = answer.contact_by - answer.free_until;
+  }
+  CHECK(solve_screw(thrown_at_wall(0.999)).verdict == ScrewVerdict::free);
+  CHECK(solve_screw(thrown_at_wall(1)).verdict == ScrewVerdict::within_bound);  // a graze
+  // With four control points the same parabola.
+  CurvedQuery cubic = thrown_at_wall(4.0 / 3);
+  cubic.motions[0].control_points = 4;
+  cubic.motions[0].inner = {{{1 / 3.0, 16 / 9.0, 0}, {2 / 3.0, 16 / 9.0, 0}}};
+  const ScrewAnswer same = solve_screw(cubic, {1, {}, 4096, 4096});
+  CHECK(same.verdict == ScrewVerdict::contact);
+  CHECK(std::fabs(same.contact_by - 0.25) < 1e-6);
+  // A point that stays in the plane of an edge, but for its way between.
+  CurvedQuery flat = curved(Kind::point_edge, {body(0, {0, 0, 0}), rest({-9, 1, 0}), rest({9, 1, 0})}, {RigidMotion()});
+  flat.motions[0] = thrown_at_wall(4.0 / 3).motions[0];
+  flat.motions[0].q1 = {1, 0, 0, 1};
+  CHECK(solve_screw(flat).verdict == ScrewVerdict::contact);
+  flat.motions[0].inner[0].z = 1;
+  CHECK(solve_screw(flat).verdict == ScrewVerdict::free);
+}
+
 TEST_CASE("the tip of a rod comes near a wall, and the bound decides") {
   const CurvedQuery near = tip_and_wall(5.0001);
   CHECK(solve_screw(near, {1, {}, 4, 4}).verdict == ScrewVerdict::within_bound);
@@ -207,7 +259,10 @@ TEST_CASE("verdicts on random motions hold on the true motion") {
   for (std::uint64_t index = 0; index < effort(120); ++index) {
     Rng rng(seeded::seed_of_stream(kSeed + 2, index));
     const Kind kind = rng.one_in(2) ? Kind::edge_edge : Kind::vertex_face;
-    const CurvedQuery query = rng.one_in(2) ? random_query(kind, rng) : meeting_query(kind, rng);
+    CurvedQuery query = rng.one_in(2) ? random_query(kind, rng) : meeting_query(kind, rng);
+    for (RigidMotion& motion : query.motions) {
+      if (rng.one_in(3)) bend(motion, rng);
+    }
     ScrewOptions options;
     options.arcs = 1 << rng.between(2, 5);
     options.most_arcs = rng.one_in(2) ? options.arcs : 256;
@@ -230,7 +285,7 @@ TEST_CASE("verdicts on random motions hold on the true motion") {
     for (int i = 0; i < kSamples; ++i) {
       least = std::min(least, true_distance(query, answer.free_until + width * i / kSamples));
     }
-    const double speed = 2 * (2 * 3.2 * 40 + 40);  // corners of these families are less than 40 from the origin
+    const double speed = 2 * (2 * 3.2 * 40 + 3 * 2 * 60);  // corners of these families are less than 40 from the origin
     REQUIRE(least <= speed * width / kSamples + 1e-12);
   }
   std::printf("seed %llu: %zu motions free, %zu with contact, %zu within the bound\n",
@@ -310,6 +365,15 @@ TEST_CASE("options of a motion of constant rate that have no meaning are errors"
   CHECK(message_of(query, {1, {-1}}).find("the separation is -1") != std::string::npos);
   query.motions[0].q1 = {-1, 0, 0, 0};
   CHECK(message_of(query, {}).find("change the sign") != std::string::npos);
+  query.motions[0].q1 = {1, 0, 0, 0};
+  query.motions[0].control_points = 5;
+  CHECK(message_of(query, {}).find("motion 0: the position has 5 control points; its curve has 2 to 4") == 0);
+  query.motions[0].control_points = 4;
+  query.motions[0].inner[1].y = std::nan("");
+  CHECK(message_of(query, {}).find("motion 0: the inner control point 1 has y = nan") == 0);
+  query.motions[0].control_points = 3;  // the second inner point does not count
+  CHECK(message_of(query, {}).empty());
+  CHECK_THROWS_WITH(solve(query), Catch::Contains("the position is on a curve of 3 control points; only solve_screw"));
 }
 
 }  // namespace

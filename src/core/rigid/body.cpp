@@ -181,13 +181,13 @@ std::size_t CollidingBodies::excluded() const {
   return excluded;
 }
 
-void validate(const Bodies& bodies, const std::vector<RigidMotion>& motions, int threads) {
+void validate(const Bodies& bodies, const std::vector<RigidMotion>& motions, int threads, solver::OriginPath path) {
   threads::validate_threads(threads);
   if (motions.size() != bodies.bodies.size()) {
     throw InvalidQuery(text(motions.size()) + " motions do not fit: " + there_are(bodies.bodies.size()) +
                        ", and each needs one");
   }
-  for (std::size_t b = 0; b < motions.size(); ++b) solver::validate(motions[b], "body " + text(b));
+  for (std::size_t b = 0; b < motions.size(); ++b) solver::validate(motions[b], "body " + text(b), path);
 }
 
 }  // namespace touchstone::rigid
@@ -236,7 +236,7 @@ RigidMotion motion_between(const Pose& start, const Pose& end, Turn turn) {
 
 CurvedQuery query_of(const Bodies& bodies, const BodyPair& pair, const std::vector<RigidMotion>& motions) {
   rigid::check_pair(bodies, pair);
-  rigid::validate(bodies, motions);
+  rigid::validate(bodies, motions, 1, solver::OriginPath::curved);
   return rigid::query_between(bodies, pair, motions);
 }
 

@@ -11,6 +11,7 @@
 #include "broad_phase/box_tree.hpp"
 #include "mesh/inside_surfaces/pieces.hpp"
 #include "mesh/mesh_elements.hpp"
+#include "solver/validate.hpp"
 
 namespace touchstone {
 inline namespace TOUCHSTONE_ABI {
@@ -67,6 +68,7 @@ class CollidingBodies {
 
 /// @throws InvalidQuery  for another number of motions than of bodies, naming the body whose motion has no meaning, or
 ///                       for a number of threads without meaning
-void validate(const Bodies& bodies, const std::vector<RigidMotion>& motions, int threads = 1);
+void validate(const Bodies& bodies, const std::vector<RigidMotion>& motions, int threads = 1,
+              solver::OriginPath path = solver::OriginPath::straight);
 
 }  // namespace touchstone::rigid

@@ -47,15 +47,14 @@ std::vector<Arc> arcs_of_piece(const Bodies& bodies, const std::vector<ScrewArcs
   return arcs;
 }
 
-/// Both positions, and all orientations in between.
+/// All positions, and all orientations in between.
 std::vector<Arc> balls_of(const Bodies& bodies, const std::vector<RigidMotion>& motions) {
   std::vector<Arc> balls;
   balls.reserve(motions.size());
   for (std::size_t b = 0; b < motions.size(); ++b) {
-    RigidMotion straight = motions[b];
-    straight.q0 = straight.q1 = {1, 0, 0, 0};
+    const RigidMotion straight = {{1, 0, 0, 0}, {1, 0, 0, 0}, motions[b].p0, motions[b].p1};
     const double reach = bodies.bodies[b].impl().reach;
-    balls.emplace_back(straight, 0, 1, reach, 2 * reach);
+    balls.emplace_back(straight, 0, 1, reach, solver::rounded_up(2 * reach + solver::sag_of(motions[b], 1)));
   }
   return balls;
 }
@@ -124,7 +123,7 @@ BodyScrewAnswer solve_screw(const Bodies& bodies, const std::vector<RigidMotion>
                             const BodyScrewOptions& options) {
   const numbers::DefaultFloatEnvironment environment;
   const rigid::CollidingBodies colliding(bodies);
-  rigid::validate(bodies, motions, options.threads);
+  rigid::validate(bodies, motions, options.threads, solver::OriginPath::curved);
   solver::validate_t_max(options.t_max);
   solver::validate_arcs(options.arcs, options.most_arcs);
   return rigid::decide(bodies, colliding, motions, options);

@@ -83,8 +83,7 @@ bool touches_at_end(CurvedQuery query, const Separation& separation, bool last) 
       motion.q0 = motion.q1;
       motion.p0 = motion.p1;
     }
-    motion.q1 = motion.q0;
-    motion.p1 = motion.p0;
+    motion = {motion.q0, motion.q0, motion.p0, motion.p0};
   }
   return solver::answer(query, separation, Method::fast, 0, Wanted::contact).contact;
 }
@@ -101,6 +100,9 @@ std::optional<numbers::DoubleDouble> height_of(const CurvedQuery& query, const C
   const RigidMotion& motion = query.motions[static_cast<std::size_t>(corner.motion)];
   if (motion.q0[1] != 0 || motion.q0[2] != 0 || motion.q1[1] != 0 || motion.q1[2] != 0) return std::nullopt;
   if (motion.p0.z != motion.p1.z) return std::nullopt;
+  for (int i = 0; i + 2 < motion.control_points; ++i) {
+    if (motion.inner[static_cast<std::size_t>(i)].z != motion.p0.z) return std::nullopt;
+  }
   return numbers::two_sum(z, motion.p0.z);
 }
 
@@ -194,7 +196,7 @@ Names names_of<ScrewVerdict>() noexcept {
 ScrewAnswer solve_screw(const CurvedQuery& query, const ScrewOptions& options) {
   const numbers::DefaultFloatEnvironment environment;
   solver::validate(options.separation);
-  solver::validate(query, options.t_max);
+  solver::validate(query, options.t_max, solver::OriginPath::curved);
   solver::validate_arcs(options.arcs, options.most_arcs);
   if (touches_at_end(query, options.separation, false)) {
     ScrewAnswer answer;

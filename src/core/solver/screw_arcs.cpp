@@ -14,6 +14,10 @@
 //
 // An error E <= 0.1 of both ends of an arc turns the orientation on it by less than asin(E / cos(a / 2)) < 1.2 E. An
 // error of the orientation by an angle h moves a body point X by at most 2 |X| h, and never by more than 2 |X|.
+//
+// Positions. On a curve p, an arc of duration h has the chord of p: off by at most h^2 / 8 times the greatest |p''|, as
+// linear interpolation is. p'' is degree (degree - 1) times a convex combination of the second differences of the
+// control points. The ends of the chord are values of the curve, rounded.
 // SPDX-License-Identifier: MIT
 #include "solver/screw_arcs.hpp"
 
@@ -38,7 +42,7 @@ double length_of(const Quaternion& q) noexcept {
 /// At least the length of a vector.
 double length_of(const Vec3& x) noexcept {
   const double largest = std::max({std::fabs(x.x), std::fabs(x.y), std::fabs(x.z)});
-  if (largest == 0) return 0;
+  if (largest == 0 || std::isinf(largest)) return largest;
   const double a = x.x / largest, b = x.y / largest, c = x.z / largest;  // from 1 to sqrt(3) long
   return kRoom * (std::sqrt(a * a + b * b + c * c) * largest) + 0x1p-1070;
 }
@@ -66,7 +70,66 @@ Vec3 between(double t, const Vec3& a, const Vec3& b) noexcept {
   return {between(t, a.x, b.x), between(t, a.y, b.y), between(t, a.z, b.z)};
 }
 
+/// The control points of a Bezier curve.
+struct Curve {
+  std::array<Vec3, 4> points;
+  std::size_t degree;
+
+  /// The blossom's value at degree - j times `from` and j times `to` (Farin, "Curves and surfaces for CAGD"). For
+  /// times with few digits each level is off by at most 2.1 e times the largest coordinate, and what underflows.
+  Vec3 blossom(double from, double to, std::size_t j) const noexcept {
+    std::array<Vec3, 4> b = points;
+    for (std::size_t level = 0; level < degree; ++level) {
+      for (std::size_t k = 0; k + level < degree; ++k) b[k] = between(level < j ? to : from, b[k], b[k + 1]);
+    }
+    return b[0];
+  }
+
+  /// At least the length of each rounding error of `blossom`: three coordinates make it sqrt(3) times as long.
+  double rounding() const noexcept {
+    double size = 0;
+    for (std::size_t k = 0; k <= degree; ++k) size = std::max(size, largest_of(points[k]));
+    return 4 * static_cast<double>(degree) * kUlp * size + 0x1p-1060;
+  }
+
+  /// At least the greatest speed: the degree times the longest leg of the control polygon.
+  double speed() const noexcept {
+    double longest = 0;
+    for (std::size_t k = 1; k <= degree; ++k) {
+      const Vec3 &a = points[k - 1], &b = points[k], leg = {b.x - a.x, b.y - a.y, b.z - a.z};
+      longest = std::max(longest, kRoom * length_of(leg));
+    }
+    return kRoom * static_cast<double>(degree) * longest;
+  }
+};
+
+Curve curve_of(const CurvedCorner& corner) noexcept {
+  return {corner.points, static_cast<std::size_t>(corner.control_points) - 1};
+}
+
+Curve curve_of(const RigidMotion& motion) noexcept {
+  Curve curve = {{motion.p0, motion.inner[0], motion.inner[1], {}},
+                 static_cast<std::size_t>(motion.control_points) - 1};
+  curve.points[curve.degree] = motion.p1;
+  return curve;
+}
+
 }  // namespace
+
+double sag_of(const RigidMotion& motion, int count) noexcept {
+  const auto [b, degree] = curve_of(motion);
+  double longest = 0;
+  for (std::size_t k = 1; k < degree; ++k) {
+    // The three subtractions round by less than e times four of the largest coordinate, and underflow nothing.
+    const Vec3 second = {(b[k - 1].x - b[k].x) + (b[k + 1].x - b[k].x), (b[k - 1].y - b[k].y) + (b[k + 1].y - b[k].y),
+                         (b[k - 1].z - b[k].z) + (b[k + 1].z - b[k].z)};
+    const double size = std::max({largest_of(b[k - 1]), largest_of(b[k]), largest_of(b[k + 1])});
+    longest = std::max(longest, kRoom * (length_of(second) + 16 * kUlp * size));
+  }
+  const double arcs = count;
+  return kRoom * (static_cast<double>(degree * (degree - 1)) / 8 * longest / arcs / arcs) +
+         (longest > 0 ? 0x1p-1070 : 0);
+}
 
 ScrewArcs::Turn ScrewArcs::turn_of(const RigidMotion& motion, int count) {
   const std::size_t size = static_cast<std::size_t>(count);
@@ -119,40 +182,26 @@ CurvedQuery ScrewArcs::arc(int i) const {
   for (std::size_t m = 0; m < turns_.size(); ++m) {
     if (turns_[m].at.empty()) continue;
     const RigidMotion& motion = query_.motions[m];
-    arc.motions[m] = {turns_[m].at[first], turns_[m].at[first + 1], between(from, motion.p0, motion.p1),
-                      between(to, motion.p0, motion.p1)};
+    const Curve path = curve_of(motion);
+    arc.motions[m] = {turns_[m].at[first], turns_[m].at[first + 1], path.blossom(from, from, 0),
+                      path.blossom(to, to, 0)};
   }
   for (std::size_t c = 0; c < corner_count(query_.kind); ++c) {
     const CurvedCorner& corner = query_.corners[c];
     if (corner.motion != CurvedCorner::kOnCurve) continue;
-    // The blossom's values at n - j times `from` and j times `to` (Farin, "Curves and surfaces for CAGD").
-    const std::size_t degree = static_cast<std::size_t>(corner.control_points) - 1;
-    for (std::size_t j = 0; j <= degree; ++j) {
-      std::array<Vec3, 4> points = corner.points;
-      for (std::size_t level = 0; level < degree; ++level) {
-        for (std::size_t k = 0; k + level < degree; ++k) {
-          points[k] = between(level < j ? to : from, points[k], points[k + 1]);
-        }
-      }
-      arc.corners[c].points[j] = points[0];
-    }
+    const Curve path = curve_of(corner);
+    for (std::size_t j = 0; j <= path.degree; ++j) arc.corners[c].points[j] = path.blossom(from, to, j);
   }
   return arc;
 }
 
 double ScrewArcs::corner_deviation(std::size_t c) const noexcept {
-  // Three levels of at most 2.1 e each, or one, times sqrt(3) for three coordinates; and what underflows.
   const CurvedCorner& corner = query_.corners[c];
-  if (corner.motion == CurvedCorner::kOnCurve) {
-    double size = 0;
-    for (int k = 0; k < corner.control_points; ++k) {
-      size = std::max(size, largest_of(corner.points[static_cast<std::size_t>(k)]));
-    }
-    return 12 * kUlp * size + 0x1p-1060;
-  }
+  if (corner.motion == CurvedCorner::kOnCurve) return curve_of(corner).rounding();
   const std::size_t m = static_cast<std::size_t>(corner.motion);
-  const double size = std::max(largest_of(query_.motions[m].p0), largest_of(query_.motions[m].p1));
-  return kRoom * (length_of(corner.points[0]) * turns_[m].deviation + 4 * kUlp * size) + 0x1p-1060;
+  const RigidMotion& motion = query_.motions[m];
+  const double turning = length_of(corner.points[0]) * turns_[m].deviation;
+  return kRoom * (turning + sag_of(motion, count_) + curve_of(motion).rounding());
 }
 
 double ScrewArcs::deviation(std::size_t element) const noexcept {
@@ -166,20 +215,9 @@ double ScrewArcs::deviation(std::size_t element) const noexcept {
 
 double ScrewArcs::corner_speed(std::size_t c) const noexcept {
   const CurvedCorner& corner = query_.corners[c];
-  const auto distance = [](const Vec3& a, const Vec3& b) {
-    const Vec3 difference = {b.x - a.x, b.y - a.y, b.z - a.z};
-    return kRoom * length_of(difference);
-  };
-  if (corner.motion == CurvedCorner::kOnCurve) {  // degree times the longest leg of the control polygon
-    double longest = 0;
-    for (std::size_t k = 1; k < static_cast<std::size_t>(corner.control_points); ++k) {
-      longest = std::max(longest, distance(corner.points[k - 1], corner.points[k]));
-    }
-    return kRoom * 3 * longest;
-  }
+  if (corner.motion == CurvedCorner::kOnCurve) return curve_of(corner).speed();
   const std::size_t m = static_cast<std::size_t>(corner.motion);
-  const double turning = length_of(corner.points[0]) * turns_[m].angle;
-  return kRoom * (turning + distance(query_.motions[m].p0, query_.motions[m].p1));
+  return kRoom * (length_of(corner.points[0]) * turns_[m].angle + curve_of(query_.motions[m]).speed());
 }
 
 geometry::Vector<Interval> ScrewArcs::position(std::size_t c, double from, double to) const {

@@ -13,6 +13,10 @@
 
 namespace touchstone::solver {
 
+/// How far the position of a valid motion may be from the chord of an arc, at the same time; 0 on a straight line.
+/// @param count  into how many arcs of equal duration the step is cut
+double sag_of(const RigidMotion& motion, int count) noexcept;
+
 /// The arcs of a valid query whose motions are of constant rate. There is a power of two of them, of equal duration.
 class ScrewArcs {
  public:

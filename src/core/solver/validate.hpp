@@ -67,11 +67,15 @@ void validate(const RationalQuery& query, double t_max);
 /// @throws InvalidQuery  naming the number of arcs that is not a power of two in the range of ScrewOptions
 void validate_arcs(int arcs, int most_arcs);
 
+/// Whether the origin of a body may move on a curve.
+enum class OriginPath : std::uint8_t { straight, curved };
+
 /// @param name  what the message calls it
-/// @throws InvalidQuery  for a number that is not finite, or a quaternion that is zero at an end or between them
-void validate(const RigidMotion& motion, const std::string& name);
+/// @throws InvalidQuery  for a number that is not finite, a quaternion that is zero at an end or between them, or a
+///                       position on a curve where it must be straight
+void validate(const RigidMotion& motion, const std::string& name, OriginPath path);
 
 /// @throws InvalidQuery  naming the kind, t_max, the first corner or the first motion without meaning
-void validate(const CurvedQuery& query, double t_max);
+void validate(const CurvedQuery& query, double t_max, OriginPath path = OriginPath::straight);
 
 }  // namespace touchstone::solver

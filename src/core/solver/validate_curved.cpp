@@ -72,6 +72,7 @@ bool certainly_valid(const CurvedQuery& query, double t_max) noexcept {
   for (std::size_t m = 0; m < used.size(); ++m) {
     if (!used[m]) continue;
     const RigidMotion& motion = query.motions[m];
+    if (motion.control_points != 2) return false;
     see(motion.p0);
     see(motion.p1);
     // Opposite orientations have no component whose product is positive, and neither has one that is zero.
@@ -102,11 +103,22 @@ void validate_arcs(int arcs, int most_arcs) {
   validate_arcs(most_arcs, "most_arcs");
 }
 
-void validate(const RigidMotion& motion, const std::string& name) {
+void validate(const RigidMotion& motion, const std::string& name, OriginPath path) {
   validate_orientation(motion.q0, name + ": the quaternion q0");
   validate_orientation(motion.q1, name + ": the quaternion q1");
   validate_finite(motion.p0, name + ": the position p0");
   validate_finite(motion.p1, name + ": the position p1");
+  if (motion.control_points < 2 || motion.control_points > 4) {
+    throw InvalidQuery(name + ": the position has " + std::to_string(motion.control_points) +
+                       " control points; its curve has 2 to 4 of them: p0, none to two of `inner`, and p1");
+  }
+  if (motion.control_points > 2 && path == OriginPath::straight) {
+    throw InvalidQuery(name + ": the position is on a curve of " + std::to_string(motion.control_points) +
+                       " control points; only solve_screw takes that");
+  }
+  for (int i = 0; i + 2 < motion.control_points; ++i) {
+    validate_finite(motion.inner[static_cast<std::size_t>(i)], name + ": the inner control point " + std::to_string(i));
+  }
   const auto time = numbers::zero_between(motion.q0, motion.q1);
   if (!time) return;
   throw InvalidQuery(name + ": q1 is q0 times a negative number, so that (1 - t) q0 + t q1 is zero near t = " +
@@ -114,7 +126,7 @@ void validate(const RigidMotion& motion, const std::string& name) {
                      "; change the sign of all components of q1: the orientation at t = 1 stays the same");
 }
 
-void validate(const CurvedQuery& query, double t_max) {
+void validate(const CurvedQuery& query, double t_max, OriginPath path) {
   if (certainly_valid(query, t_max)) return;
   validate_kind(query.kind);
   validate_t_max(t_max);
@@ -126,7 +138,7 @@ void validate(const CurvedQuery& query, double t_max) {
     if (corner.motion != CurvedCorner::kOnCurve) used[static_cast<std::size_t>(corner.motion)] = true;
   }
   for (std::size_t m = 0; m < used.size(); ++m) {
-    if (used[m]) validate(query.motions[m], "motion " + std::to_string(m));
+    if (used[m]) validate(query.motions[m], "motion " + std::to_string(m), path);
   }
 }
 
