@@ -1,4 +1,5 @@
-/* Touchstone: the interface of a shared library whose solver `touchstone fuzz --solver ./theirs.so` can attack.
+/* Touchstone: the interface of a shared library that `touchstone fuzz --solver ./theirs.so` can attack, for queries, or
+ * `touchstone fuzz-steps --solver ./theirs.so`, for steps of whole meshes.
  * SPDX-License-Identifier: MIT
  */
 #ifndef TOUCHSTONE_PLUGIN_H
@@ -27,6 +28,8 @@
  * lines of its standard error go into the report. A crash, a call of exit() or a late answer is a finding. After it the
  * process is started again, and `init` is called again. One thread makes all calls, one at a time.
  */
+
+#include <stdint.h>
 
 #include <touchstone/kinds.h>
 
@@ -85,6 +88,40 @@ TOUCHSTONE_EXPORT const struct touchstone_solver_plugin* touchstone_solver(void)
  *  `metric` is one of touchstone_metric. It returns 0 when the solver takes this separation; any other number means
  *  that it does not. */
 TOUCHSTONE_EXPORT int touchstone_separation(double distance, int metric);
+
+/** A step of a whole mesh, for `touchstone fuzz-steps`. Vertices move on straight lines. Numbers of vertices count from
+ *  0. No list is longer than 2^32 - 1. */
+struct touchstone_step {
+  uint32_t vertices;              /**< how many */
+  uint32_t edges;                 /**< how many: all edges, those of faces too */
+  uint32_t faces;                 /**< how many */
+  uint32_t points;                /**< how many loose points: vertices in no edge and no face that collide */
+  const double* start;            /**< x y z of each vertex at t = 0 */
+  const double* end;              /**< x y z of each vertex at t = 1 */
+  const uint32_t* edge_vertices;  /**< two of each edge */
+  const uint32_t* face_vertices;  /**< three of each face */
+  const uint32_t* point_vertices; /**< the loose points */
+  const uint32_t* groups;         /**< the group of each vertex; NULL without groups */
+  uint32_t ignored;               /**< how many pairs of groups do not collide */
+  const uint32_t* ignored_groups; /**< two of each such pair; both may be the same group */
+  double separation; /**< elements are in contact while their distance is at most this; 0: when they touch */
+  int metric;        /**< one of touchstone_metric, of the separation */
+};
+
+/** What a simulator's collision detection says of a step: one or more of three things. */
+struct touchstone_step_reply {
+  double free;          /**< the step is free of contact until this time, in [0, 1]; NaN before the call: not said */
+  double first_contact; /**< the time of the first contact, infinity for none; NaN before the call: not said */
+  int has_candidates;   /**< 0 before the call; not 0: the candidates of the broad phase are those that were added */
+
+  /** Adds a candidate to the reply. `kind` is one of touchstone_kind. The elements are the numbers of edge and edge,
+   *  vertex and face, vertex and edge, or vertex and vertex. */
+  void (*add_candidate)(struct touchstone_step_reply* reply, int kind, uint32_t first, uint32_t second);
+};
+
+/** The function that `touchstone fuzz-steps --solver` looks up by name; the other two are not needed for it. It returns
+ *  0; any other number ends the process, which is a finding. docs/fuzzing.md says what is judged. */
+TOUCHSTONE_EXPORT int touchstone_ask_step(const struct touchstone_step* step, struct touchstone_step_reply* reply);
 
 #ifdef __cplusplus
 }

@@ -21,6 +21,7 @@
 #include "fuzz/bodies/pipe_bodies.hpp"
 #include "fuzz/steps/fuzz_steps.hpp"
 #include "fuzz/steps/pipe_steps.hpp"
+#include "fuzz/steps/plugin_steps.hpp"
 #include "numbers/doubles/decimal_text.hpp"
 
 namespace touchstone::cli {
@@ -135,7 +136,7 @@ FoundSteps find_steps(const FuzzStepsOptions& options, const StepFuzzOptions& se
     throw Error("--family: " + name + " is no family" + (options.bodies ? " of bodies" : "") +
                 "; see touchstone fuzz-steps --help");
   }
-  const bool asks_library = options.command.empty();
+  const bool asks_library = options.command.empty() && options.plugin.empty();
   const auto find = [&](const auto& new_solver, const auto& search_all) {
     new_solver();  // a program that cannot be started is told before the search
     return shown(search_all(new_solver, search, a_case, watch), options.bodies);
@@ -151,6 +152,7 @@ FoundSteps find_steps(const FuzzStepsOptions& options, const StepFuzzOptions& se
   return find(
       [&]() -> StepSolver {
         if (asks_library) return fuzz::library_reply;
+        if (!options.plugin.empty()) return fuzz::run_step_plugin(options.plugin, limits_of(options));
         return fuzz::run_step_command(options.command, limits_of(options));
       },
       fuzz::search_steps);

@@ -46,6 +46,7 @@ std::string repeat_command(const FuzzStepsOptions& options, const std::string& c
   std::string text = "  touchstone fuzz-steps";
   if (options.bodies) text += " --bodies";
   if (!options.command.empty()) text += " --solver-command " + shell_word(options.command);
+  if (!options.plugin.empty()) text += " --solver " + shell_word(options.plugin);
   if (options.limit != FuzzStepsOptions().limit) text += fmt::format(" --limit {}", options.limit);
   if (!options.search.separations) text += " --no-separation";
   if (!options.search.groups) text += " --no-groups";
@@ -63,6 +64,9 @@ int run_fuzz_steps(const FuzzStepsOptions& options) {
   search.threads = thread_count(search.threads);
   if (options.cases) search.cases = *options.cases;
   if (!options.cases && !search.seconds) search.seconds = kUsualStepSeconds;
+  if (options.bodies && !options.plugin.empty()) {
+    throw Error("--solver is for steps of a mesh; --bodies asks a program: --solver-command");
+  }
   if (options.cases && search.seconds) throw Error("--cases and --seconds both end the search: give one of them");
   FoundSteps outcome;
   {
@@ -75,7 +79,9 @@ int run_fuzz_steps(const FuzzStepsOptions& options) {
   if (outcome.steps == 0 && !interrupted()) throw Error("no step was asked in this time: more --seconds, or --cases");
   const std::vector<FoundStep>& findings = outcome.found;
   if (!options.out.empty() && !findings.empty()) write_steps(options.out, findings);
-  const std::string who = options.command.empty() ? "touchstone" : io::printable(options.command);
+  const std::string who = io::printable(!options.command.empty()  ? options.command
+                                        : !options.plugin.empty() ? options.plugin
+                                                                  : "touchstone");
   std::string left_out;
   const std::vector<std::string> never_asked =
       options.bodies ? fuzz::left_out_of_bodies(search) : fuzz::left_out_by(search);

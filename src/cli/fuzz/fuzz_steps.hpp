@@ -13,7 +13,8 @@ namespace touchstone::cli {
 
 struct FuzzStepsOptions {
   bool bodies = false;                 ///< about steps of whole bodies, not of a mesh
-  std::string command;                 ///< of the program under test; empty: the library itself
+  std::string command;                 ///< of the program under test; empty: a plugin, or the library itself
+  std::string plugin;                  ///< the shared library under test; empty: none
   double limit = 10;                   ///< seconds that it may take for a reply
   StepFuzzOptions search;              ///< threads 0: all that the machine has; without `stop`
   std::optional<std::uint64_t> cases;  ///< none: as many as there are in the seconds

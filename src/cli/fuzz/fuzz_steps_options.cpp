@@ -52,17 +52,27 @@ void add_fuzz_steps(CLI::App& program, Command& command) {
             name, [&value](const std::string& text) { value = *io::parse_finite_double(text); }, about)
         ->check(check);
   };
+  auto* const program_under_test =
+      subcommand
+          ->add_option(
+              "--solver-command", options->command,
+              "The command line of the program under test, which gets a line of JSON for each step and answers "
+              "with one (default: the library itself)")
+          ->type_name("COMMAND")
+          ->check([](const std::string& text) {
+            const bool blank = text.find_first_not_of(" \t\n") == std::string::npos;
+            return blank ? std::string("the command is empty; it must name a program") : std::string();
+          });
   subcommand
-      ->add_option("--solver-command", options->command,
-                   "The command line of the program under test, which gets a line of JSON for each step and answers "
-                   "with one (default: the library itself)")
-      ->type_name("COMMAND")
-      ->check([](const std::string& text) {
-        const bool blank = text.find_first_not_of(" \t\n") == std::string::npos;
-        return blank ? std::string("the command is empty; it must name a program") : std::string();
-      });
+      ->add_option("--solver", options->plugin,
+                   "The shared library under test in place of a program, with the function touchstone_ask_step of "
+                   "touchstone/plugin.h; for steps of a mesh")
+      ->type_name("FILE")
+      ->check([](const std::string& text) { return text.empty() ? std::string("the file is empty") : std::string(); })
+      ->excludes(program_under_test);
   number("--limit", options->limit,
-         "Seconds that the program may take for a reply (default: 10); after that it counts as hanging. The first "
+         "Seconds that the program or plugin may take for a reply (default: 10); after that it counts as hanging. The "
+         "first "
          "reply of a process may take longer: 20 seconds, and 2 when it was started again",
          check_range("a number of seconds from 0.001 to 3600", [](double x) { return x >= 0.001 && x <= 3600; }))
       ->type_name("S");
@@ -138,6 +148,7 @@ void add_fuzz_steps(CLI::App& program, Command& command) {
       family_lines("Families:", false) + family_lines("Families of --bodies:", true) +
       "\nExamples\n"
       "  touchstone fuzz-steps --solver-command \"python3 theirs.py\" --out broken     see share/touchstone/examples\n"
+      "  touchstone fuzz-steps --solver ./theirs.so                                  a plugin: touchstone/plugin.h\n"
       "  touchstone fuzz-steps --solver-command ./theirs --case \"steps_stack 1 17\"\n"
       "  touchstone fuzz-steps --bodies --solver-command \"python3 theirs.py\" --no-separation\n"
       "  touchstone fuzz-steps --cases 100000                                        the library itself\n\n"

@@ -49,7 +49,7 @@ BodyStepReply read_body_reply(std::string_view line) {
 }
 
 BodyStepSolver run_body_command(const std::string& command_line, const Limits& limits) {
-  return ask_program(command_line, limits, bodies_line, read_body_reply);
+  return ask_program(command_start(command_line, limits), limits, bodies_line, read_body_reply);
 }
 
 }  // namespace touchstone::fuzz

@@ -87,6 +87,10 @@ struct Pipe {
 /// @throws Error
 void set_nonblocking(int descriptor);
 
+/// For a child process that runs somebody else's library: the parent's functions that run at exit belong to the parent,
+/// and a library that calls exit() must not run them here.
+void leave_at_exit();
+
 /// Closes every descriptor from `first` on.
 void close_from(int first);
 

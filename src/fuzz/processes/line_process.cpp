@@ -10,14 +10,16 @@
 
 namespace touchstone::fuzz {
 
-LineProcess::LineProcess(std::string command_line, const Limits& limits)
-    : command_line_(std::move(command_line)),
-      limits_(limits),
-      run_(std::make_unique<PipeRun>(command_line_, limits_)) {}
+LineProcess::Start command_start(const std::string& command_line, const Limits& limits) {
+  return [=] { return std::make_unique<PipeRun>(command_line, limits); };
+}
+
+LineProcess::LineProcess(Start start, const Limits& limits)
+    : start_(std::move(start)), limits_(limits), run_(start_()) {}
 
 void LineProcess::ask(std::string_view line, const std::function<void(std::string_view)>& read) {
   if (!run_) {
-    run_ = std::make_unique<PipeRun>(command_line_, limits_);
+    run_ = start_();
     is_new_ = true;
   }
   // An interpreter takes some time to start, for the first time most of all.

@@ -64,6 +64,16 @@ class NoPipeSignal {
 
 }  // namespace
 
+void PipeRun::start(const std::function<void()>& serve, int spare) {
+  child_.emplace(ChildProcess::Setup{in_.read, out_.write, spare, limits_.memory}, serve);
+  in_.close_read();
+  out_.close_write();
+  set_nonblocking(in_.write);
+  set_nonblocking(out_.read);
+}
+
+PipeRun::PipeRun(const std::function<void()>& serve, const Limits& limits) : limits_(limits) { start(serve, -1); }
+
 PipeRun::PipeRun(const std::string& command_line, const Limits& limits) : limits_(limits) {
   std::vector<std::string> words = words_of(command_line);
   if (words.empty()) throw Error("the solver's command is empty");
@@ -72,15 +82,14 @@ PipeRun::PipeRun(const std::string& command_line, const Limits& limits) : limits
   arguments.push_back(nullptr);
 
   Pipe trouble;  // closed by a successful exec; else it brings the reason
-  child_.emplace(ChildProcess::Setup{in_.read, out_.write, trouble.write, limits.memory}, [&arguments] {
+  const auto become_program = [&arguments] {
     ::execvp(arguments[0], arguments.data());
     const int error = errno;
     constexpr int kSpare = 3;
     if (::write(kSpare, &error, sizeof error) < 0) ::_exit(126);
     ::_exit(127);
-  });
-  in_.close_read();
-  out_.close_write();
+  };
+  start(become_program, trouble.write);
   trouble.close_write();
   int error = 0;
   ssize_t count = 0;
@@ -90,8 +99,6 @@ PipeRun::PipeRun(const std::string& command_line, const Limits& limits) : limits
   if (count == sizeof error) {
     throw Error(io::in_quotes(words[0]) + ": the solver's command cannot be started: " + io::system_reason(error));
   }
-  set_nonblocking(in_.write);
-  set_nonblocking(out_.read);
 }
 
 PipeRun::~PipeRun() {

@@ -5,6 +5,7 @@
 #include <chrono>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -18,6 +19,9 @@ class PipeRun {
  public:
   /// @throws Error when it cannot be started: "no such program", say
   PipeRun(const std::string& command_line, const Limits& limits);
+
+  /// A function in place of a program, with the same standard input and output. It runs as ChildProcess has it run.
+  PipeRun(const std::function<void()>& serve, const Limits& limits);
 
   /// Closes its input, which tells it to end, and waits a little.
   ~PipeRun();
@@ -43,6 +47,8 @@ class PipeRun {
   std::uint64_t idle_waits() const noexcept { return idle_waits_; }
 
  private:
+  /// @param spare  a further descriptor that stays open in the child
+  void start(const std::function<void()>& serve, int spare);
   bool take_line(std::string& line);
   bool read_some();
   bool write_some(std::string_view& rest);

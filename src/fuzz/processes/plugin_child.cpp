@@ -6,12 +6,13 @@
 
 #include <algorithm>
 #include <array>
-#include <cstdlib>
 #include <limits>
 #include <string_view>
 
 #include <touchstone/plugin.h>
 #include <touchstone/query.hpp>
+
+#include "fuzz/processes/child_process.hpp"
 
 namespace touchstone::fuzz {
 namespace {
@@ -26,15 +27,6 @@ void refuse(SharedCall& call, std::string_view reason) {
   const std::size_t size = std::min(reason.size(), call.failure.size() - 1);
   std::copy_n(reason.begin(), size, call.failure.begin());
   call.failure[size] = '\0';
-}
-
-/// The parent's functions that run at exit belong to the parent. A plugin that calls exit() must not run them here.
-void leave_at_exit() {
-#ifdef __GLIBC__
-  ::on_exit([](int status, void*) { ::_exit(status); }, nullptr);
-#else
-  std::atexit([] { ::_exit(1); });
-#endif
 }
 
 /// The library's function that is told a separation; null when it has none.

@@ -46,7 +46,7 @@ StepReply read_step_reply(std::string_view line) {
 }
 
 StepSolver run_step_command(const std::string& command_line, const Limits& limits) {
-  return ask_program(command_line, limits, step_line, read_step_reply);
+  return ask_program(command_start(command_line, limits), limits, step_line, read_step_reply);
 }
 
 }  // namespace touchstone::fuzz
