@@ -35,6 +35,7 @@ rows() {
       part = 100 * part / whole
       return part < 1 ? sprintf("%.2g %%", part) : sprintf("%.0f %%", part)
     }
+    function of(part, whole) { return part == 0 ? "0" : part " of " whole }
     function power(x) { x += 0; return x == 0 ? "0" : x < 1000 ? sprintf("%d", x) : sprintf("1e%d", int(log(x) / log(10) + 1e-9)) }
     function grouped(n,   text) {
       text = sprintf("%d", n)
@@ -138,6 +139,22 @@ table_curvederrors() {
         percent(get("missed"), get("contacts")), percent(get("phantom"), get("queries") - get("contacts")),
         percent(get("late"), get("contacts")),
         get("ulps_greatest_magnitude") == "" ? "" : power(get("ulps_greatest_magnitude"))
+    }
+END
+}
+
+table_bodies() {
+  printf '| steps | method | asked | us a step | missed | phantom | late |\n'
+  printf '|---|---|---:|---:|---:|---:|---:|\n'
+  rows report.csv <<'END'
+    get("set") !~ /^bodies\// || get("queries") == 0 { next }
+    {
+      shown = get("set") == last ? "" : get("set")
+      last = get("set")
+      to = get("tolerance") == "" ? "" : get("method") == "waypoints" ? sprintf(", %d of them", 1 / get("tolerance") + 0.5) : sprintf(", to %g", get("tolerance"))
+      printf "| %s | `%s`%s | %s of %s | %s | %s | %s | %s |\n", shown, get("method"), to, get("queries"), get("set_queries"),
+        grouped(get("mean_us")), of(get("missed"), get("contacts")), of(get("phantom"), get("queries") - get("contacts")),
+        of(get("late"), get("contacts"))
     }
 END
 }

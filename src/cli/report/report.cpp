@@ -212,7 +212,7 @@ void add_report(CLI::App& program, Command& command) {
       "  FOLDER/report.csv   every number, with version, machine and compiler\n"
       "  FOLDER/simulation.csv  how fast scenes are simulated, and in how much memory\n"
       "  FOLDER/plots/       pictures, NAME.svg\n"
-      "in some minutes.\n\n"
+      "in six minutes or more.\n\n"
       "Examples\n"
       "  touchstone report --out report\n"
       "  touchstone report --quick --out report --html report.html\n"
