@@ -17,6 +17,7 @@ namespace touchstone::view {
 namespace {
 
 constexpr double kMuchLarger = 2;  // what is at rest is cut off, like a floor, if all is so many times larger
+constexpr double kSubject = 20;    // where nothing moves, what is so many times larger is no floor
 
 struct Box {
   Triple low, high;
@@ -47,7 +48,10 @@ Box box_of(const Animation& animation, const std::vector<char>& chosen) {
 }
 
 /// x from `low` to `high` as a height in a plot, from 100 down to 0.
-double height_of(double x, double low, double high) { return high > low ? 100 - 100 * (x - low) / (high - low) : 50; }
+double height_of(double x, double low, double high) {
+  if (high > low) return 100 - 100 * (x - low) / (high - low);
+  return x == 0 ? 100 : 50;
+}
 
 }  // namespace
 
@@ -59,12 +63,17 @@ Triple AnimationView::seen(const Triple& x) const noexcept {
 }
 
 AnimationView view_of(const Animation& animation) {
+  const std::vector<std::uint8_t> hues = hues_of(animation);
+  std::vector<char> coloured(hues.size());
+  std::transform(hues.begin(), hues.end(), coloured.begin(), [](std::uint8_t hue) { return hue == 0 ? 0 : 1; });
+  const std::vector<char> all(hues.size(), 1);
+  const bool any = std::count(coloured.begin(), coloured.end(), 1) > 0;
+  const Box of_all = box_of(animation, all), of_coloured = any ? box_of(animation, coloured) : of_all;
   const std::vector<char> moves = moving_vertices(animation);
-  const std::vector<char> all(moves.size(), 1);
-  const bool any = std::count(moves.begin(), moves.end(), 1) > 0;
-  const Box of_all = box_of(animation, all), of_moving = any ? box_of(animation, moves) : of_all;
-  const bool whole = of_all.radius() <= kMuchLarger * of_moving.radius();
-  const Box& box = whole ? of_all : of_moving;
+  const bool at_rest = std::count(moves.begin(), moves.end(), 1) == 0;
+  const bool whole = of_all.radius() <= kMuchLarger * of_coloured.radius() ||
+                     (at_rest && of_all.radius() > kSubject * of_coloured.radius());
+  const Box& box = whole ? of_all : of_coloured;
   AnimationView view;
   view.centre = box.centre();
   view.radius = box.radius();
@@ -80,8 +89,8 @@ AnimationView view_of(const Animation& animation) {
     view.basis[1] = {-std::sin(above) * std::sin(right), std::sin(above) * std::cos(right), std::cos(above)};
   }
   for (const AnimationFrame& frame : animation.frames()) {
-    for (std::size_t i = 0; i < moves.size(); ++i) {
-      if (!whole && moves[i] == 0) continue;
+    for (std::size_t i = 0; i < coloured.size(); ++i) {
+      if (!whole && coloured[i] == 0) continue;
       const Triple seen = view.seen(frame.drawn.position(i));
       for (std::size_t k = 0; k < 2; ++k) view.reach[k] = std::max(view.reach[k], std::abs(seen[k]));
     }

@@ -11,7 +11,7 @@ namespace touchstone::view {
 
 /// Where an animation is in space.
 struct AnimationView {
-  Triple centre{};                ///< of what it holds in all frames: what moves, and all of it if not much larger
+  Triple centre{};                ///< of what it holds in all frames: what has a hue, and all if not much larger
   double radius = 1;              ///< no vertex that it holds is farther from the centre
   bool planar = false;            ///< all vertices are at one height z
   std::array<Triple, 3> basis{};  ///< unit vectors to the right, up and towards the reader

@@ -177,7 +177,8 @@ std::string still_of(const Animation& animation, const AnimationView& view) {
       kWide, kTall, animation.frames()[shown].number, Painter(animation, view).frame(shown));
 }
 
-std::string moving_svg(const Animation& animation, const std::string& title, const std::string& about) {
+std::string moving_svg(const Animation& animation, const std::string& title, const std::string& about,
+                       const std::string& unit) {
   const AnimationView view = view_of(animation);
   Painter painter(animation, view);
   const std::size_t frames = animation.frames().size(), still = frame_of_still(animation);
@@ -195,7 +196,12 @@ std::string moving_svg(const Animation& animation, const std::string& title, con
   book.attributes = " class=\"frame\"";
   book.style = page_file("colours.css") + page_file("frame.css");
   book.still = still / stride;
-  for (std::size_t k = 0; k < shown; ++k) book.frames.push_back(painter.frame(k * stride));
+  for (std::size_t k = 0; k < shown; ++k) {
+    const double time = animation.frames()[k * stride].time;
+    const std::string told = unit.empty() ? fmt::format("t = {:.4g}", time) : fmt::format("{:.4g} {}", time, unit);
+    book.frames.push_back(painter.frame(k * stride) +
+                          fmt::format("<text x=\"24\" y=\"{}\">{}</text>\n", kTall - 24, escaped(told)));
+  }
   return svg_file(book);
 }
 

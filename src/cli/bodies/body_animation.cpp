@@ -75,7 +75,8 @@ int pictures_of(const RigidMotion& motion) {
 BodyAnimation::BodyAnimation(BodyFiles& files, const RecordedPoses& poses)
     : files_(files),
       poses_(poses),
-      animation_(shape_of(files), {{"pairs", {{"contacts", true}, {"intersections", true}}}}) {}
+      animation_(shape_of(files), {{"pairs since the picture before", {{"contacts", true}, {"intersections", true}}}}) {
+}
 
 void BodyAnimation::add(const std::vector<RigidMotion>& motions, const FirstBodyContact& found) {
   const double start = poses_.times[steps_], end = poses_.times[steps_ + 1];

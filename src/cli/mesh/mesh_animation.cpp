@@ -76,7 +76,8 @@ MeshAnimation::MeshAnimation(const Mesh& mesh, std::shared_ptr<const frames::Top
                              const Separation& separation)
     : topology_(std::move(topology)),
       separation_(separation),
-      animation_(shape_of(mesh, *topology_), {{"pairs", {{"contacts", true}, {"intersections", true}}}}) {}
+      animation_(shape_of(mesh, *topology_),
+                 {{"pairs since the frame before", {{"contacts", true}, {"intersections", true}}}}) {}
 
 MeshIndex MeshAnimation::vertex(const sequence::NamedElement& named, std::size_t corner) const {
   if (const auto found = sequence::vertex_named(*topology_, named, corner)) return *found;

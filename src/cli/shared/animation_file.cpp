@@ -15,7 +15,7 @@ namespace touchstone::cli {
 
 std::uint64_t write_animation(const view::Animation& animation, view::AnimationWords words, io::OutputFile& file) {
   if (io::in_lower_case(std::filesystem::path(file.name()).extension().string()) == ".svg") {
-    const std::string text = view::moving_svg(animation, words.title, words.subtitle);
+    const std::string text = view::moving_svg(animation, words.title, words.subtitle, words.time_unit);
     file.write(text);
     return text.size();
   }

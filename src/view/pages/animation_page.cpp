@@ -99,7 +99,8 @@ nlohmann::json data_of(const Animation& animation, const AnimationWords& words, 
 std::string about(const Animation& animation, const AnimationWords& words) {
   const auto& frames = animation.frames();
   const std::size_t vertices = animation.shape().vertex_count();
-  std::string text = fmt::format("{} of {} frames", frames.size(), animation.frames_made());
+  std::string text = words.mark_names + "\n";
+  text += fmt::format("{} of {} frames", frames.size(), animation.frames_made());
   if (frames.size() < animation.frames_made()) {
     text += fmt::format(", as a page holds at most {} frames and {} of positions", animation.limits().frames,
                         bytes_for_person(static_cast<double>(animation.limits().frame_bytes)));
@@ -122,7 +123,15 @@ std::string about(const Animation& animation, const AnimationWords& words) {
     text += fmt::format("{} marks are left out: a page holds {}. The plots count them all.\n",
                         animation.marks_left_out(), animation.limits().marks);
   }
-  return text + words.mark_names;
+  return text;
+}
+
+/// The text of the result, whose first words stand out: what the program's line says before it says of what.
+std::string result_html(const std::string& summary) {
+  const std::size_t end = std::min({summary.find(" ("), summary.find(';'), summary.find('\n'), summary.size()});
+  const std::size_t rest = std::min(summary.find_first_not_of("; \n", end), summary.size());
+  return "<pre class=\"wrapped\"><strong>" + escaped(summary.substr(0, end)) + "</strong>" +
+         escaped(summary.substr(rest)) + "</pre>";
 }
 
 std::string list_of_stories(const Animation& animation) {
@@ -186,9 +195,8 @@ std::uint64_t write_animation_page(const Animation& animation, const AnimationWo
   page.sort = "animation beside";
   page.styles = {"animation.css", "frame.css"};
   page.body = "<main>\n<div class=\"viewer\"><div class=\"stage\">\n" + still_of(animation, view) + "</div>\n" +
-              plots_html(animation) + "</div>\n<aside>\n<section><h2>Result</h2>\n<pre class=\"wrapped\">" +
-              escaped(words.summary) +
-              "</pre></section>\n<section class=\"picked\" aria-live=\"polite\" hidden></section>\n"
+              plots_html(animation) + "</div>\n<aside>\n<section><h2>Result</h2>\n" + result_html(words.summary) +
+              "</section>\n<section class=\"picked\" aria-live=\"polite\" hidden></section>\n"
               "<section><h2>Pairs</h2>\n" +
               list_of_stories(animation) + "</section>\n<section><h2>The picture</h2>\n<p class=\"about\">" +
               escaped(about(animation, words)) + "</p></section>\n</aside>\n</main>\n";

@@ -28,7 +28,8 @@ Page findings_page(const std::string& title, const std::string& summary, const s
   page.title = title;
   page.subtitle = findings.empty() ? "No claim was found to be wrong."
                                    : "Each card is a query about which a claim is wrong: its picture, the claim, and "
-                                     "the exact answer.";
+                                     "the exact answer. In a picture the elements are where they meet or come "
+                                     "closest; pale are the start and the end, and dotted the paths of the corners.";
   page.sort = "findings";
   page.styles = {"still.css"};
   const std::string first_line = summary.substr(0, summary.find('\n'));

@@ -12,6 +12,7 @@ class AnimationViewer {
     this.s = data.times[0];
     this.chosen = [];
     this.centre = data.centre;
+    this.reach = data.reach;
     this.build(parent);
     this.canvas = new ShapeCanvas(this.node);
     this.mesh = new MeshCanvas(this.canvas, this.elements, data);
@@ -33,8 +34,36 @@ class AnimationViewer {
     const found = ['contact', 'crossing'].map((sort) => this.marks.firstTime(sort)).filter((s) => s !== undefined);
     this.zoomTo(state.zoom || 0);
     this.camera.face(state.from);
+    if (found.length > 0 && state.from.length !== 6) this.faceMeeting(Math.min(...found));
     this.timeline.open(state.t, found.length > 0 ? Math.min(...found) : undefined);
     this.opened = true;
+  }
+
+  /** Turns, by eighths of a turn, to the first side that hides the fewest marks of this time. */
+  faceMeeting(time) {
+    const all = [...this.marks.times.keys()].filter((i) => this.marks.times[i] === time).slice(0, 50);
+    if (this.camera.flat || !this.canvas.resize()) return;
+    const now = this.frames.around(time), eighth = Math.PI / 4;
+    let best = 0, fewest = Infinity;
+    for (let side = 0; side < 8 && fewest > 0; ++side) {
+      const view = this.view(), seen = seenVertices(this.frames, this.elements, now, view);
+      const hidden = all.filter((i) => {
+        const [x, y, z] = this.camera.seen(this.marks.point(i).map((at, k) => (at - view.centre[k]) * view.pixels));
+        return frontFace(this.elements, seen, x, y).front > z + 1;
+      });
+      if (hidden.length < fewest) [best, fewest] = [side, hidden.length];
+      this.camera.turnUpright(eighth);
+    }
+    this.camera.reset();
+    if (best === 0) return;
+    this.camera.turnUpright(best * eighth);
+    // What is cut off, as a floor, is as far away as the radius or farther.
+    const view = this.view(), farthest = (seen) => seen.reduce((most, x) => Math.max(most, Math.abs(x)), 0);
+    const last = this.data.times[this.frames.count - 1];
+    const ends = [this.data.times[0], time, last].map(
+        (t) => seenVertices(this.frames, this.elements, this.frames.around(t), view));
+    this.reach = ['px', 'py'].map(
+        (axis) => Math.min(1, Math.max(...ends.map((seen) => farthest(seen[axis]))) / view.pixels / this.data.radius));
   }
 
   save() {
@@ -204,7 +233,7 @@ class AnimationViewer {
   }
 
   view() {
-    const [right, up] = this.data.reach.map((reach) => Math.max(reach, 0.1));
+    const [right, up] = this.reach.map((reach) => Math.max(reach, 0.1));
     const size = Math.min(this.canvas.width / right, this.canvas.height / up) * 0.46;
     return {
       pixels: size / this.data.radius * Math.pow(2, this.zoom),
@@ -263,8 +292,9 @@ class AnimationViewer {
     const told = counts.filter(([n]) => n > 0).map(([n, sort]) => `${n} ${this.word(sort)}`).join(', ');
     const time =
         data.unit ? `, ${Number(this.s.toPrecision(6))} ${data.unit}` : `, t = ${Number(this.s.toPrecision(9))}`;
+    const near = this.frames.around(this.s).fraction > 0 ? 'Marks near this time' : 'Marks';
     const label = data.labels[frame] ? ` (${data.labels[frame]})` : '';
-    this.readout.textContent = `${data.number} ${data.numbers[frame]}${label}${time}. Marks: ${told || 'none'}.`;
+    this.readout.textContent = `${data.number} ${data.numbers[frame]}${label}${time}. ${near}: ${told || 'none'}.`;
   }
 }
 

@@ -69,6 +69,13 @@ class Camera {
     this.changed();
   }
 
+  /** Turns the picture about z, which stays as far up as it is. */
+  turnUpright(angle) {
+    const turned =
+        ([x, y, z]) => [x * Math.cos(angle) - y * Math.sin(angle), x * Math.sin(angle) + y * Math.cos(angle), z];
+    this.basis = this.basis.map(turned);
+  }
+
   /** Turns to the directions of the screen's right and of the reader: six numbers, or nothing that is used. */
   face(numbers) {
     if (this.flat || numbers.length !== 6 || !numbers.every((x) => Math.abs(x) <= 1)) return;

@@ -9,11 +9,8 @@ function distanceToSegment(x, y, ax, ay, bx, by) {
   return {t, distance: Math.hypot(ax + t * dx - x, ay + t * dy - y)};
 }
 
-/**
- * The element nearest to the reader at (x, y), in pixels from the middle, y up: {sort, number, point}; or null.
- * Points come before edges, and edges without a face or near the pointer before faces, where they are not hidden.
- */
-function pickElement(frames, elements, now, view, x, y) {
+/** Where the vertices are on the screen: pixels to the right, up and towards the reader. */
+function seenVertices(frames, elements, now, view) {
   const count = elements.data.vertices;
   const a = frames.at(now.frame), b = now.fraction > 0 ? frames.at(now.frame + 1) : a, f = now.fraction;
   const px = new Float64Array(count), py = new Float64Array(count), pz = new Float64Array(count);
@@ -28,6 +25,11 @@ function pickElement(frames, elements, now, view, x, y) {
     py[i] = p[0] * u[0] + p[1] * u[1] + p[2] * u[2] + view.pan[1];
     pz[i] = p[0] * t[0] + p[1] * t[1] + p[2] * t[2];
   }
+  return {px, py, pz};
+}
+
+/** The face nearest to the reader at (x, y), in pixels from the middle, y up, and how near: {face, front}. */
+function frontFace(elements, {px, py, pz}, x, y) {
   let face = null, front = -Infinity;
   for (let i = 0; i < elements.faces.length; i += 3) {
     const [p, q, s] = [elements.faces[i], elements.faces[i + 1], elements.faces[i + 2]];
@@ -42,6 +44,16 @@ function pickElement(frames, elements, now, view, x, y) {
       face = {sort: 'face', number: i / 3};
     }
   }
+  return {face, front};
+}
+
+/**
+ * The element nearest to the reader at (x, y), in pixels from the middle, y up: {sort, number, point}; or null.
+ * Points come before edges, and edges without a face or near the pointer before faces, where they are not hidden.
+ */
+function pickElement(frames, elements, now, view, x, y) {
+  const seen = seenVertices(frames, elements, now, view), {px, py, pz} = seen;
+  const {face, front} = frontFace(elements, seen, x, y);
   let best = null, least = kPickReach;
   const consider = (sort, number, distance, z) => {
     if (distance < least && z > front - kPickReach) {
