@@ -117,6 +117,22 @@ std::size_t elements_of(const StepFuzzFinding& finding) {
 
 }  // namespace
 
+TEST_CASE("fuzzed steps: a contact that is denied at the very end of a step is found") {
+  const StepSolver solver = [](const Mesh& mesh, const Positions& x0, const Positions& x1) {
+    StepReply reply = fuzz::library_reply(mesh, x0, x1);
+    reply.candidates.reset();
+    if (*reply.first_contact > 1 - 0x1p-40) reply.first_contact = kNever, reply.free = 1;
+    return reply;
+  };
+  StepFuzzOptions options;
+  options.families = {"steps_grazing"};
+  options.cases = 200;
+  const StepFuzzReport report = fuzz_steps(solver, options);
+  CHECK(report.failures >= 10);
+  REQUIRE(!report.findings.empty());
+  CHECK(report.findings[0].failure == FuzzFailure::missed);
+}
+
 TEST_CASE("fuzzed steps: the library is right, and each family has contacts and free steps", "[slow]") {
   const std::size_t cases = effort(60);
   for (std::size_t family = 0; family < families::step_families().size(); ++family) {

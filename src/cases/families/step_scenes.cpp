@@ -239,6 +239,30 @@ StepScene in_float32(Rng& random) {
   return scene;
 }
 
+/// Climbs towards the least margin: the step ends where its first contact begins. Then, mostly, a vertex goes a little
+/// farther or less far.
+StepScene grazing(Rng& random) {
+  StepScene scene = random.one_in(3) ? beads(random) : random.one_in(2) ? shells(random) : another(random);
+  const Mesh mesh = scene.mesh();
+  for (int climb = 0; climb < 8; ++climb) {
+    const FirstContact first = first_contact(mesh, scene.x0, scene.x1);
+    if (!first.contact || !first.at_start.empty() || first.toi_upper == 1) break;
+    const double t = climb % 2 == 0 ? first.toi : first.toi_upper;
+    for (std::size_t v = 0; v < scene.x0.size(); ++v) {
+      Vec3& end = scene.x1[v];
+      const Vec3& start = scene.x0[v];
+      end = {start.x + t * (end.x - start.x), start.y + t * (end.y - start.y), start.z + t * (end.z - start.z)};
+    }
+  }
+  if (random.one_in(4)) return scene;
+  const std::size_t v = random.below(scene.x0.size());
+  const double farther = 1 + std::ldexp(random.symmetric(), -random.between(1, 53));
+  for (double Vec3::*const axis : {&Vec3::x, &Vec3::y, &Vec3::z}) {
+    scene.x1[v].*axis = scene.x0[v].*axis + farther * (scene.x1[v].*axis - scene.x0[v].*axis);
+  }
+  return scene;
+}
+
 StepScene made(StepFamily family, Rng& random) {
   switch (family) {
     case StepFamily::steps_sheets: return sheets(random);
@@ -254,6 +278,7 @@ StepScene made(StepFamily family, Rng& random) {
     case StepFamily::steps_lattice: return lattice_steps(random);
     case StepFamily::steps_groups: return in_groups(random);
     case StepFamily::steps_plane: return in_the_plane(random);
+    case StepFamily::steps_grazing: return grazing(random);
   }
   return {};
 }
@@ -262,8 +287,9 @@ StepScene made(StepFamily family, Rng& random) {
 
 const std::vector<std::string_view>& step_families() {
   static const std::vector<std::string_view> names = {
-      "steps_sheets",     "steps_fold",  "steps_stack",   "steps_beads",   "steps_rods",   "steps_shells", "steps_far",
-      "steps_one_vertex", "steps_mixed", "steps_float32", "steps_lattice", "steps_groups", "steps_plane"};
+      "steps_sheets",  "steps_fold",   "steps_stack",      "steps_beads",  "steps_rods",
+      "steps_shells",  "steps_far",    "steps_one_vertex", "steps_mixed",  "steps_float32",
+      "steps_lattice", "steps_groups", "steps_plane",      "steps_grazing"};
   return names;
 }
 

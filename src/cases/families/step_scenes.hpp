@@ -32,7 +32,8 @@ enum class StepFamily : std::uint8_t {
   steps_float32,     ///< those of another family, rounded to float32
   steps_lattice,     ///< random elements whose coordinates are small integers, and all meet in corners and borders
   steps_groups,      ///< those of steps_lattice, in two groups of vertices of which one does not meet itself
-  steps_plane        ///< edges and loose points in the plane z = 0 of a mesh in space
+  steps_plane,       ///< edges and loose points in the plane z = 0 of a mesh in space
+  steps_grazing      ///< those of another family, shortened to where the first contact is at the end, or just beyond
 };
 
 /// The names of the families, each at the place of its value.
