@@ -16,7 +16,7 @@ readonly -a heavy_jobs=(
   'clang|4|the preset clang: warnings are errors, and the tests'
   'arm64|2|the preset arm64: a cross-build, and the tests of the library under qemu-user'
   'faults|10|planted faults: each weakened bound must be noticed'
-  'fuzzing|1|the libFuzzer targets, for ten minutes in all'
+  'fuzzing|1|the libFuzzer targets, for five minutes in all'
   'release|1|the archive and the wheel of a release: made, built from nothing and tried'
   'browser|1|the program as WebAssembly: built, and compared with the native one, in Node and in a browser'
   'plain|1|the preset plain: all that is installed, each source compiled by itself'
@@ -85,7 +85,7 @@ run_faults() {
   needs_or_skip python3
   "$touchstone_root/fuzz/weaken-constants.py" --quick --part "$part/$parts"
 }
-run_fuzzing() { "$touchstone_root/fuzz/run.sh" 200; }
+run_fuzzing() { "$touchstone_root/fuzz/run.sh" 100; }
 run_plain() {
   install_missing
   build_preset plain touchstone_installed
