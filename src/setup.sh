@@ -24,7 +24,6 @@ readonly -a touchstone_needs=(
   'fmt.h|fmt/core.h|libfmt-dev|fmt-devel|fmt'
   'json.h|nlohmann/json.hpp|nlohmann-json3-dev|json-devel|nlohmann-json'
   'cli11.h|CLI/CLI.hpp|libcli11-dev|cli11-devel|cli11'
-  'benchmark.h|benchmark/benchmark.h|libbenchmark-dev|google-benchmark-devel|benchmark'
   'catch.h|catch2/catch.hpp catch2/catch_all.hpp|catch2|catch-devel|catch2'
 )
 

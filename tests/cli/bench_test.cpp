@@ -19,20 +19,9 @@ std::vector<std::string> bench(const std::vector<std::string>& more) {
   return arguments;
 }
 
-/// Built without Google Benchmark the command must say so; then there is nothing else to test.
-bool can_measure() {
-  static const Run run = run_program(bench({"--filter", "random/point-point/all/floor"}));
-  if (run.status == 0) return true;
-  CHECK(run.status == 2);
-  CHECK(occurrences(run.err, "libbenchmark-dev") == 1);
-  skip("the program is built without Google Benchmark");
-  return false;
-}
-
 }  // namespace
 
 TEST_CASE("bench prints every method beside the floor") {
-  if (!can_measure()) return;
   const TemporaryFolder folder;
   const Run run = run_program(
       bench({"--filter", "^simulation/edge-edge/all", "--csv", folder.path("b.csv"), "--json", folder.path("b.json")}));
@@ -69,7 +58,6 @@ TEST_CASE("bench prints every method beside the floor") {
 }
 
 TEST_CASE("the filter leaves out all but what it finds and its floor") {
-  if (!can_measure()) return;
   const Run run = run_program(bench({"--filter", "bundled/point-edge/.*/touchstone$"}));
   CHECK(run.status == 0);
   CHECK(occurrences(run.out, "  floor ") == 3);  // all, hits and misses
@@ -78,7 +66,6 @@ TEST_CASE("the filter leaves out all but what it finds and its floor") {
 }
 
 TEST_CASE("given files are a source of their own") {
-  if (!can_measure()) return;
   const TemporaryFolder folder;
   const std::string file = folder.write("point-point/a.csv", two_point_queries());
   const Run run = run_program(bench({"--filter", "^files", file}));
@@ -91,7 +78,6 @@ TEST_CASE("given files are a source of their own") {
 }
 
 TEST_CASE("curved sets are measured beside the same pairs moving straight") {
-  if (!can_measure()) return;
   const TemporaryFolder folder;
   const Run run = run_program(
       bench({"--filter", "^(nut-and-bolt|bundled-curved)/edge-edge/(all|hits)", "--csv", folder.path("b.csv")}));
@@ -112,7 +98,6 @@ TEST_CASE("curved sets are measured beside the same pairs moving straight") {
 }
 
 TEST_CASE("bad options of bench end with status 2 and one line") {
-  if (!can_measure()) return;
   const TemporaryFolder folder;
   const auto check_refused = [](const std::vector<std::string>& more, const std::string& part) {
     const Run run = run_program(bench(more));
@@ -133,7 +118,6 @@ TEST_CASE("bad options of bench end with status 2 and one line") {
 }
 
 TEST_CASE("bench with a separation measures the baselines that take one, in the Euclidean metric") {
-  if (!can_measure()) return;
   const TemporaryFolder folder;
   const std::vector<std::string> asked = {"--filter", "^simulation/edge-edge/all", "--separation", "0.01"};
   std::vector<std::string> arguments = asked;

@@ -13,7 +13,6 @@
 
 #include <touchstone/error.hpp>
 
-#include "cli/bench/clock.hpp"
 #include "cli/bench/methods.hpp"
 #include "cli/bench/results.hpp"
 #include "cli/bench/sets.hpp"
@@ -23,6 +22,7 @@
 #include "cli/shared/words.hpp"
 #include "io/output_file.hpp"
 #include "io/queries/kind_of_file.hpp"
+#include "report/timing.hpp"
 #include "solver/owned_columns.hpp"
 
 namespace touchstone::cli {
@@ -145,7 +145,7 @@ std::vector<BenchResult> measured(std::vector<Entry>& entries, const BenchOption
       entry.ask(separation);
     });
   }
-  const auto seconds = measure(actions, options.repetitions, options.min_time);
+  const auto seconds = report::seconds_of_calls(actions, options.repetitions, options.min_time);
   std::vector<BenchResult> results;
   double floor = 0, straight = 0;  // of the set; each set's entries begin with them
   for (std::size_t i = 0; i < entries.size(); ++i) {
@@ -170,7 +170,6 @@ std::string check_regex(const std::string& text) {
 }  // namespace
 
 int run_bench(const BenchOptions& options) {
-  require_benchmark_library();
   std::vector<io::OutputFile> outputs;
   for (const auto& name : {options.csv, options.json}) {
     refuse_to_overwrite(name, options.files);
@@ -249,7 +248,7 @@ void add_bench(CLI::App& program, Command& command) {
       "Examples\n"
       "  touchstone bench --filter simulation\n"
       "  touchstone bench --filter 'all/(touchstone|floor)' --repetitions 9 --csv bench.csv data/*/*.csv\n\n"
-      "Exit status: 0 done, 2 bad usage or bad input, or built without Google Benchmark.");
+      "Exit status: 0 done, 2 bad usage or bad input.");
   subcommand->callback([options, &command] { command = [options] { return run_bench(*options); }; });
 }
 

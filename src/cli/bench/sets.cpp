@@ -14,7 +14,7 @@
 #include "cli/shared/progress/interrupt.hpp"
 #include "generators/candidates.hpp"
 #include "io/queries/kind_of_file.hpp"
-#include "report/body_pairs.hpp"
+#include "report/sets/body_pairs.hpp"
 #include "seeded/rng.hpp"
 
 namespace touchstone::cli {

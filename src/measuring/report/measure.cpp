@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "report/measure.hpp"
 
-#include <time.h>
-
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -10,6 +8,7 @@
 #include <utility>
 
 #include "families/body_scenes.hpp"
+#include "report/timing.hpp"
 
 namespace touchstone::report {
 namespace {
@@ -17,13 +16,6 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
-
-/// Processor time of this thread in seconds. Other programs on the machine do not count.
-double processor_seconds() {
-  timespec now{};
-  ::clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
 
 double median(std::vector<double> values) {
   const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
@@ -107,15 +99,10 @@ void another_round(const QuerySet& set, const Result& result, std::vector<double
 
 /// Mean microseconds a query.
 double pass(const QuerySet& set, const Result& result, double least) {
-  std::size_t rounds = 0;
-  double taken = 0;
-  const double start = processor_seconds();
-  do {
+  const auto ask = [&] {
     set.with_queries([&](const auto& queries) { ask_all(result.contestant, queries, result.asked, set.separation); });
-    ++rounds;
-    taken = processor_seconds() - start;
-  } while (taken < least);
-  return 1e6 * taken / static_cast<double>(rounds * result.asked);
+  };
+  return 1e6 * seconds_of_call(ask, least) / static_cast<double>(result.asked);
 }
 
 }  // namespace

@@ -12,7 +12,7 @@
 #include <touchstone/solve.hpp>
 
 #include "report/contestant.hpp"
-#include "report/query_set.hpp"
+#include "report/sets/query_set.hpp"
 #include "report/time_error.hpp"
 
 namespace touchstone::report {

@@ -8,12 +8,12 @@
 #include <utility>
 
 #include "io/write_whole.hpp"
-#include "report/body_pairs.hpp"
-#include "report/body_steps.hpp"
 #include "report/csv.hpp"
-#include "report/family_sets.hpp"
 #include "report/markdown.hpp"
 #include "report/pictures/pictures.hpp"
+#include "report/sets/body_pairs.hpp"
+#include "report/sets/body_steps.hpp"
+#include "report/sets/family_sets.hpp"
 #include "seeded/rng.hpp"
 
 namespace touchstone::report {

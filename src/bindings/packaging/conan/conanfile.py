@@ -40,7 +40,6 @@ class TouchstoneConan(ConanFile):
             self.requires("mpfr/4.2.1")
         self.requires("onetbb/[>=2021]")
         if self.options.program:
-            self.requires("benchmark/[>=1.5.1 <2]")
             self.requires("cli11/[>=2.1 <3]")
             self.requires("expat/[>=2.5 <3]")
             self.requires("fmt/[>=7]")

@@ -15,7 +15,6 @@ class Touchstone < Formula
   depends_on "eigen"
   depends_on "fmt"
   depends_on "gmp"
-  depends_on "google-benchmark"
   depends_on "hdf5"
   depends_on "mpfr"
   depends_on "tbb"

@@ -25,7 +25,6 @@ class Touchstone(CMakePackage):
         depends_on("cgal@5:", type="build")
         depends_on("mpfr")
     with when("+program"):
-        depends_on("benchmark@1.5.1:")
         depends_on("cli11@2.1:", type="build")
         depends_on("expat")
         depends_on("fmt@7:")

@@ -11,7 +11,7 @@
 #include <touchstone/curved_query.hpp>
 #include <touchstone/query.hpp>
 
-#include "report/query_set.hpp"
+#include "report/sets/query_set.hpp"
 
 namespace touchstone::report {
 

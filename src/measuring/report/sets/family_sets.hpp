@@ -9,7 +9,7 @@
 
 #include <touchstone/query.hpp>
 
-#include "report/query_set.hpp"
+#include "report/sets/query_set.hpp"
 #include "seeded/rng.hpp"
 
 namespace touchstone::report {

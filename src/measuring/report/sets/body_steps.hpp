@@ -6,8 +6,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "report/body_pairs.hpp"
-#include "report/query_set.hpp"
+#include "report/sets/body_pairs.hpp"
+#include "report/sets/query_set.hpp"
 
 namespace touchstone::report {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "report/body_steps.hpp"
+#include "report/sets/body_steps.hpp"
 
 #include <cmath>
 #include <functional>

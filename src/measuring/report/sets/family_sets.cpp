@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "report/family_sets.hpp"
+#include "report/sets/family_sets.hpp"
 
 #include <array>
 #include <cmath>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "report/body_pairs.hpp"
+#include "report/sets/body_pairs.hpp"
 
 #include <algorithm>
 #include <array>
