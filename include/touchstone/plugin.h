@@ -90,7 +90,7 @@ TOUCHSTONE_EXPORT const struct touchstone_solver_plugin* touchstone_solver(void)
 TOUCHSTONE_EXPORT int touchstone_separation(double distance, int metric);
 
 /** A step of a whole mesh, for `touchstone fuzz-steps`. Vertices move on straight lines. Numbers of vertices count from
- *  0. No list is longer than 2^32 - 1. */
+ *  0. There are at most 64 vertices. */
 struct touchstone_step {
   uint32_t vertices;              /**< how many */
   uint32_t edges;                 /**< how many: all edges, those of faces too */
@@ -120,7 +120,8 @@ struct touchstone_step_reply {
 };
 
 /** The function that `touchstone fuzz-steps --solver` looks up by name; the other two are not needed for it. It returns
- *  0; any other number ends the process, which is a finding. docs/fuzzing.md says what is judged. */
+ *  0; any other number ends the process, which is a finding, and so is a reply with more than 30,000 candidates.
+ *  docs/fuzzing.md says what is judged. */
 TOUCHSTONE_EXPORT int touchstone_ask_step(const struct touchstone_step* step, struct touchstone_step_reply* reply);
 
 #ifdef __cplusplus

@@ -196,9 +196,14 @@ std::string moving_svg(const Animation& animation, const std::string& title, con
   book.attributes = " class=\"frame\"";
   book.style = page_file("colours.css") + page_file("frame.css");
   book.still = still / stride;
+  // Neighbours differ in what is written, also where times are far from 0, as those of a clock.
+  const double first = animation.frames().front().time, last = animation.frames().back().time;
+  const double ratio = std::max(std::abs(first), std::abs(last)) / (last - first);
+  const int digits = 4 + (std::isfinite(ratio) && ratio > 1 ? std::min(13, static_cast<int>(std::log10(ratio))) : 0);
   for (std::size_t k = 0; k < shown; ++k) {
     const double time = animation.frames()[k * stride].time;
-    const std::string told = unit.empty() ? fmt::format("t = {:.4g}", time) : fmt::format("{:.4g} {}", time, unit);
+    const std::string at = fmt::format("{:.{}g}", time, digits);
+    const std::string told = unit.empty() ? "t = " + at : at + " " + unit;
     book.frames.push_back(painter.frame(k * stride) +
                           fmt::format("<text x=\"24\" y=\"{}\">{}</text>\n", kTall - 24, escaped(told)));
   }

@@ -112,7 +112,10 @@ TEST_CASE("bad options of bench end with status 2 and one line") {
   check_refused({folder.path("edge-edge/missing.csv")}, "cannot be opened");
   check_refused({"--csv", folder.path("no/b.csv")}, "cannot be written");
   CHECK(run_program({"bench", "--repetitions", "0"}).status == 2);
-  CHECK(run_program({"bench", "--min-time", "0"}).status == 2);
+  for (const char* time : {"0", "nan", "inf", "101"}) {
+    CAPTURE(time);
+    CHECK(run_program({"bench", "--min-time", time}).status == 2);
+  }
   CHECK(run_program({"bench", "--count", "0"}).status == 2);
   CHECK(folder.names().empty());
 }

@@ -131,6 +131,7 @@ TEST_CASE("bad options end with status 2, one line, and nothing written") {
   check_refused({"generate", "--out", out, "--seed", "99999999999999999999"}, "--seed");
   check_refused({"generate", "--out", out, "--speed", "-1"}, "--speed");
   check_refused({"generate", "--out", out, "--speed", "fast"}, "--speed");
+  check_refused({"generate", "--out", out, "--speed", "nan"}, "--speed");
   check_refused({"generate", "--out", out, "--meshes", "--kind", "edge-edge"}, "--kind excludes --meshes");
   check_refused({"generate", "--out", out, "--meshes", "--count", "10"}, "--count excludes --meshes");
   check_refused({"generate", "--out", out, "--meshes", "--shared-corners"}, "--shared-corners");

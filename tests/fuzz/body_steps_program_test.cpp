@@ -84,7 +84,7 @@ TEST_CASE_WITH("python3", "fuzz-steps --bodies: a program that ends, hangs, or s
         "edge-edge [0, 3] [1, 4294967295] names an element that the bodies have not");
   found(R"('{"candidates": [["edge-edge", [0, 3], [2, 0]]]}')", "names an element that the bodies have not");
   found(R"(time.sleep(20) if globals().get("n") else globals().update(n=1) or '{"free": 0.002}')",
-        "no reply within 100 ms (are replies flushed?)", {"--limit", "0.1"});
+        "no reply within 100 ms (a program must flush its replies)", {"--limit", "0.1"});
 }
 
 TEST_CASE("fuzz-steps --bodies: families and cases are those of bodies") {

@@ -85,7 +85,7 @@ TEST_CASE("fuzz-steps: a program that ends, hangs, or says no reply is told so",
   found(R"(json.dumps({"free": 0.01 + 1e-9 * (time.time_ns() % 1000)}))", "differs ", {"--family", "steps_sheets"});
   // The first reply of a program has more time.
   found(R"(time.sleep(20) if globals().get("n") else globals().update(n=1) or '{"free": 0.0001}')",
-        "no reply within 100 ms (are replies flushed?)", {"--limit", "0.1", "--family", "steps_sheets"});
+        "no reply within 100 ms (a program must flush its replies)", {"--limit", "0.1", "--family", "steps_sheets"});
 }
 
 TEST_CASE("fuzz-steps: a program is asked once if that is wanted, and the command that repeats a finding says so") {

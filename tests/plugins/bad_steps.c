@@ -16,9 +16,16 @@ int touchstone_ask_step(const struct touchstone_step* step, struct touchstone_st
   if (strcmp(what, "refuses") == 0) return 3;
   if (strcmp(what, "crashes") == 0) abort();
   if (strcmp(what, "leaves") == 0) exit(0);
-  if (strcmp(what, "no kind") == 0) {
+  if (strcmp(what, "no kind") == 0 || strcmp(what, "a kind beyond a byte") == 0) {
     reply->has_candidates = 1;
-    reply->add_candidate(reply, 7, 0, 1);
+    reply->add_candidate(reply, what[0] == 'n' ? 7 : 256, 0, 1);
+  } else if (strcmp(what, "hidden candidates") == 0) {
+    reply->free = 0.5;
+    reply->add_candidate(reply, TOUCHSTONE_KIND_EDGE_EDGE, 0, 1);
+  } else if (strcmp(what, "reads its input") == 0) {
+    if (getchar() != EOF) return 11; /* there is nothing to read */
+    fclose(stdin);
+    reply->free = 0;
   } else if (strcmp(what, "no step") == 0) {
     reply->free = 0;
     /* Lists, as they are promised. */

@@ -267,6 +267,19 @@ TEST_CASE("lines and dots are as thick as their radii, to scale, and never thinn
   }
 }
 
+TEST_CASE("a moving picture says its times, and neighbours differ") {
+  const auto said = [](double first, double last, const std::string& unit) {
+    Animation animation(small_shape(), {});
+    animation.add_frame(first, 0, positions(0), {});
+    animation.add_frame(last, 1, positions(3), {});
+    return moving_svg(animation, "", "", unit);
+  };
+  CHECK(said(0, 0.25, "s").find(">0.25 s</text>") != std::string::npos);
+  CHECK(said(0, 1, "").find(">t = 1</text>") != std::string::npos);
+  CHECK(said(1700000000.1, 1700000000.2, "").find(">t = 1700000000.2</text>") != std::string::npos);
+  CHECK(said(5, 5, "").find(">t = 5</text>") != std::string::npos);
+}
+
 TEST_CASE("a picture in a plane is seen from above, and every first view is a rotation") {
   Animation flat(small_shape(), small_plots()), high(small_shape(), small_plots());
   flat.add_frame(0, 0, positions(0), {0, 0});

@@ -210,9 +210,11 @@ void add_bench(CLI::App& program, Command& command) {
                    "The number of repetitions, of which the median counts (default: 5)")
       ->type_name("N")
       ->check(CLI::Range(1, 1000));
-  subcommand->add_option("--min-time", options->min_time, "The least length of a repetition (default: 0.05)")
+  subcommand
+      ->add_option("--min-time", options->min_time,
+                   "The least length of a repetition, from 1e-6 to 100 (default: 0.05)")
       ->type_name("SECONDS")
-      ->check(CLI::Range(1e-6, 100.0));
+      ->check([](const std::string& text) { return check_number(text, 1e-6, 100); });
   subcommand
       ->add_option("--count", options->count,
                    "The number of queries to generate of each kind, by scene and at random (default: 4000)")

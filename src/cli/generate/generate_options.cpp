@@ -150,10 +150,11 @@ void add_generate(CLI::App& program, Command& command) {
              "The approximate number of edges of a scene; surfaces have two faces for three edges");
   add_number(*subcommand, "--steps", candidates.steps, 1, kMostSteps, "The number of steps");
   subcommand
-      ->add_option("--speed", candidates.speed,
-                   "The speed: at 1 most corners move by a tenth of an edge's length in a step (default: 1)")
+      ->add_option(
+          "--speed", candidates.speed,
+          "The speed: at 1 most corners move by a tenth of an edge's length in a step; from 0 to 1000 (default: 1)")
       ->type_name("X")
-      ->check(CLI::Range(0.0, generators::kGreatestSpeed));
+      ->check([](const std::string& text) { return check_number(text, 0, generators::kGreatestSpeed); });
   add_separation_options(*subcommand, options->separation, "The distance at which two elements are in contact");
   subcommand->add_flag("--shared-corners", candidates.shared_corners,
                        "Include pairs that share a corner, where they touch all the time");

@@ -22,7 +22,7 @@ static int near(const struct touchstone_step* step, const uint32_t* a, int as, c
     double low[2], high[2];
     for (i = 0; i < as + bs; ++i) {
       int side = i < as ? 0 : 1;
-      double x = step->start[3 * (size_t)(i < as ? a[i] : b[i - as]) + k];
+      double x = step->start[3 * (size_t)(i < as ? a[i] : b[i - as]) + (size_t)k];
       if (i == 0 || i == as || x < low[side]) low[side] = x;
       if (i == 0 || i == as || x > high[side]) high[side] = x;
     }

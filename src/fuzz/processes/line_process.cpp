@@ -32,8 +32,8 @@ void LineProcess::ask(std::string_view line, const std::function<void(std::strin
     const std::string said = exchange.line.empty() ? "" : "; it had said " + io::in_quotes(exchange.line);
     if (exchange.end == End::died) throw NoReply(FuzzFailure::crash, run_->child().story() + said);
     if (exchange.end == End::late) {
-      throw NoReply(FuzzFailure::hang,
-                    "no reply within " + std::to_string(time.count()) + " ms (are replies flushed?)" + said);
+      throw NoReply(FuzzFailure::hang, "no reply within " + std::to_string(time.count()) +
+                                           " ms (a program must flush its replies)" + said);
     }
     if (exchange.end != End::line) {
       throw NoReply(FuzzFailure::malformed, "it says more than it was asked, or too long a line" + said);

@@ -24,6 +24,7 @@
 
 #include "fuzz/processes/child_process.hpp"
 #include "fuzz/processes/line_process.hpp"
+#include "fuzz/processes/no_reply.hpp"
 #include "fuzz/processes/pipe_run.hpp"
 #include "fuzz/scenes/scene_json.hpp"
 #include "fuzz/steps/pipe_steps.hpp"
@@ -36,6 +37,8 @@ using nlohmann::json;
 
 static_assert(static_cast<int>(Metric::euclidean) == TOUCHSTONE_METRIC_EUCLIDEAN);
 static_assert(static_cast<int>(Metric::max) == TOUCHSTONE_METRIC_MAX);
+
+const std::string kFault = "fault: ";  // begins a line that is no reply
 
 using Ask = decltype(&touchstone_ask_step);
 
@@ -83,8 +86,24 @@ struct PluginReply : touchstone_step_reply {
     };
   }
 
+  /// What is no reply, in words for the author of a library; empty for a reply.
+  std::string fault() const {
+    if (std::isnan(free) && std::isnan(first_contact) && has_candidates == 0) {
+      return "it says nothing: neither free, nor first_contact, nor has_candidates";
+    }
+    if (has_candidates == 0 && !candidates.empty()) return "it adds candidates, and has_candidates is 0";
+    if (std::isinf(free) || first_contact == -std::numeric_limits<double>::infinity()) return "a time is infinite";
+    for (const auto& [kind, elements] : candidates) {
+      if (kind < 0 || kind > TOUCHSTONE_KIND_POINT_POINT) {
+        return "it adds a candidate of the kind " + std::to_string(kind) + ", which is none of touchstone_kind";
+      }
+    }
+    return {};
+  }
+
   /// As a program writes it.
   std::string line() const {
+    if (const std::string wrong = fault(); !wrong.empty()) return kFault + wrong + "\n";
     std::string text;
     const auto key = [&text](const char* name) {
       text.append(text.empty() ? "{\"" : ",\"").append(name).append("\":");
@@ -95,7 +114,7 @@ struct PluginReply : touchstone_step_reply {
       if (std::isfinite(value)) {
         append_json(text, value);
       } else {
-        text.append(value > 0 ? "null" : "\"-inf\"");
+        text.append("null");
       }
     };
     number("free", free);
@@ -111,7 +130,7 @@ struct PluginReply : touchstone_step_reply {
       }
       text.append(candidates.empty() ? "[]" : "]");
     }
-    return text.empty() ? "{}\n" : text + "}\n";
+    return text + "}\n";
   }
 };
 
@@ -151,17 +170,32 @@ void write_all(int descriptor, std::string_view text) {
   }
 }
 
-/// In the child: what the library writes to standard output is nobody's reply.
+/// Our ends of the pipes, which the library does not find at its standard input and output.
+struct KeptApart {
+  int steps, replies;
+
+  KeptApart() : steps(moved(STDIN_FILENO, O_RDONLY)), replies(moved(STDOUT_FILENO, O_WRONLY)) {}
+
+ private:
+  static int moved(int from, int mode) {
+    constexpr int kOutOfTheWay = 100;
+    const int kept = ::fcntl(from, F_DUPFD_CLOEXEC, kOutOfTheWay), nowhere = ::open("/dev/null", mode);
+    if (kept < 0 || nowhere < 0 || ::dup2(nowhere, from) < 0) end_child("its input and output cannot be kept apart");
+    ::close(nowhere);
+    return kept;
+  }
+};
+
+/// In the child.
 void serve_steps(const std::string& path) {
   leave_at_exit();
-  const int replies = ::dup(STDOUT_FILENO), nowhere = ::open("/dev/null", O_WRONLY);
-  if (replies < 0 || nowhere < 0 || ::dup2(nowhere, STDOUT_FILENO) < 0) end_child("its output cannot be kept apart");
+  const KeptApart pipes;
   const Ask ask = load_function(path);
-  std::FILE* const steps = ::fdopen(STDIN_FILENO, "r");
+  std::FILE* const steps = ::fdopen(pipes.steps, "r");
   char* line = nullptr;
   std::size_t size = 0;
   for (ssize_t count; steps != nullptr && (count = ::getline(&line, &size, steps)) > 0;) {
-    write_all(replies, reply_of(ask, {line, static_cast<std::size_t>(count)}));
+    write_all(pipes.replies, reply_of(ask, {line, static_cast<std::size_t>(count)}));
   }
 }
 
@@ -175,15 +209,21 @@ StepSolver run_step_plugin(const std::string& path, const Limits& limits) {
   if (error) absolute = path;
   const std::function<void()> try_it = [&] {
     leave_at_exit();
+    const KeptApart pipes;
     load_function(absolute);
+    write_all(pipes.replies, "loaded");
   };
   try {
-    PipeRun(try_it, limits).read_all(limits.start, limits.line);
+    if (PipeRun(try_it, limits).read_all(limits.start, limits.line).empty()) throw Error("it ends while it is loaded");
   } catch (const Error& reason) {
     io::fail(path, std::string("the plugin cannot be used: ") + reason.what());
   }
   const auto start = [=] { return std::make_unique<PipeRun>([absolute] { serve_steps(absolute); }, limits); };
-  return ask_program(start, limits, step_line, read_step_reply);
+  const auto read = [](std::string_view line) {
+    if (line.starts_with(kFault)) throw NoReply(FuzzFailure::malformed, std::string(line.substr(kFault.size())));
+    return read_step_reply(line);
+  };
+  return ask_program(start, limits, step_line, read);
 }
 
 }  // namespace touchstone::fuzz

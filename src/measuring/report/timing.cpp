@@ -25,7 +25,7 @@ double seconds_of_call(const std::function<void()>& action, double least) {
     const double start = processor_seconds();
     for (double i = 0; i < calls; ++i) action();
     const double taken = processor_seconds() - start;
-    if (taken >= least) return taken / calls;
+    if (!(taken < least)) return taken / calls;
     // Reading the clock takes its time, too: it is read again only after so many calls that this should be the last.
     const double enough = taken > 0 ? std::ceil(1.2 * calls * least / taken) : 10 * calls;
     calls = std::clamp(enough, calls + 1, 10 * calls);

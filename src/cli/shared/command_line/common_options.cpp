@@ -24,6 +24,7 @@
 #include "io/answers/claim_columns.hpp"
 #include "io/fail.hpp"
 #include "io/queries/kind_of_file.hpp"
+#include "io/times.hpp"
 
 namespace touchstone::cli {
 
@@ -84,6 +85,12 @@ std::string check_whole_number(const std::string& text, std::uint64_t least, std
   const bool number = !text.empty() && text.size() < 19 && text.find_first_not_of("0123456789") == std::string::npos;
   if (number && std::stoull(text) >= least && std::stoull(text) <= most) return {};
   return fmt::format("{} must be a whole number from {} to {}", text, least, most);
+}
+
+std::string check_number(const std::string& text, double least, double most) {
+  const auto value = io::parse_finite_double(text);
+  if (value && *value >= least && *value <= most) return {};
+  return text + (value ? fmt::format(" must be from {} to {}", least, most) : fault_of_number(text));
 }
 
 void add_decimals_option(CLI::App& subcommand, io::Decimals& decimals) {

@@ -33,15 +33,16 @@ class AnimationViewer {
     const state = stateOfAddress();
     const found = ['contact', 'crossing'].map((sort) => this.marks.firstTime(sort)).filter((s) => s !== undefined);
     this.zoomTo(state.zoom || 0);
+    if (found.length > 0) this.faceMeeting(Math.min(...found));
     this.camera.face(state.from);
-    if (found.length > 0 && state.from.length !== 6) this.faceMeeting(Math.min(...found));
     this.timeline.open(state.t, found.length > 0 ? Math.min(...found) : undefined);
     this.opened = true;
   }
 
-  /** Turns, by eighths of a turn, to the first side that hides the fewest marks of this time. */
+  /** The first view is that of the first side, by eighths of a turn, that hides the fewest marks of this time. */
   faceMeeting(time) {
-    const all = [...this.marks.times.keys()].filter((i) => this.marks.times[i] === time).slice(0, 50);
+    const most = Math.ceil(1e6 / (this.elements.faces.length + 1));  // each asks about all faces
+    const all = [...this.marks.times.keys()].filter((i) => this.marks.times[i] === time).slice(0, Math.min(50, most));
     if (this.camera.flat || !this.canvas.resize()) return;
     const now = this.frames.around(time), eighth = Math.PI / 4;
     let best = 0, fewest = Infinity;
@@ -57,13 +58,15 @@ class AnimationViewer {
     this.camera.reset();
     if (best === 0) return;
     this.camera.turnUpright(best * eighth);
-    // What is cut off, as a floor, is as far away as the radius or farther.
-    const view = this.view(), farthest = (seen) => seen.reduce((most, x) => Math.max(most, Math.abs(x)), 0);
-    const last = this.data.times[this.frames.count - 1];
-    const ends = [this.data.times[0], time, last].map(
-        (t) => seenVertices(this.frames, this.elements, this.frames.around(t), view));
-    this.reach = ['px', 'py'].map(
-        (axis) => Math.min(1, Math.max(...ends.map((seen) => farthest(seen[axis]))) / view.pixels / this.data.radius));
+    this.camera.first = this.camera.basis;
+    this.camera.reset();
+    // As far as the vertices are from the centre in all frames, or many. What is cut off, as a floor, is farther.
+    const view = this.view(), every = Math.ceil(this.frames.count * this.data.vertices / 2e6), reach = [0, 0];
+    for (let i = 0; i < this.frames.count; i += every) {
+      const {px, py} = seenVertices(this.frames, this.elements, this.frames.around(this.data.times[i]), view);
+      [px, py].forEach((seen, k) => reach[k] = seen.reduce((far, x) => Math.max(far, Math.abs(x)), reach[k]));
+    }
+    this.reach = reach.map((far) => Math.min(1, far / view.pixels / this.data.radius));
   }
 
   save() {
