@@ -77,6 +77,7 @@ TEST_CASE("screws of bodies have the verdicts of all pairs of their elements") {
   if (!whole_effort("that each verdict comes")) return;
   CHECK(contacts > 0);
   CHECK(frees > 0);
+  CHECK(opens > 0);
   CHECK(sooner > 0);
 }
 
