@@ -26,8 +26,8 @@ struct RigidMotion {
   Vec3 p0;                                  ///< where the body's origin is at t = 0, in the unit of length
   Vec3 p1;                                  ///< where the body's origin is at t = 1
 
-  /// How many control points the position's Bezier curve has, 2 to 4: p0, none to two of `inner`, and p1. With more than
-  /// two, p(t) is on this curve, and `solve_screw` takes the motion: all else that computes refuses it.
+  /// How many control points the position's Bezier curve has, 2 to 4: p0, none to two of `inner`, and p1. With more
+  /// than two, p(t) is on this curve, and `solve_screw` takes the motion: all else that computes refuses it.
   int control_points = 2;
   std::array<Vec3, 2> inner{};  ///< the control points between p0 and p1; the first control_points - 2 of them count
 };

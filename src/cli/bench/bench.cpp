@@ -214,7 +214,7 @@ void add_bench(CLI::App& program, Command& command) {
       ->add_option("--min-time", options->min_time,
                    "The least length of a repetition, from 1e-6 to 100 (default: 0.05)")
       ->type_name("SECONDS")
-      ->check([](const std::string& text) { return check_number(text, 1e-6, 100); });
+      ->check(check_range("from 1e-6 to 100", [](double x) { return x >= 1e-6 && x <= 100; }));
   subcommand
       ->add_option("--count", options->count,
                    "The number of queries to generate of each kind, by scene and at random (default: 4000)")

@@ -15,14 +15,6 @@ namespace {
 
 using OptionCheck = std::function<std::string(const std::string&)>;
 
-/// A number that the words describe. @param is_right  whether it is in the range
-OptionCheck check_range(const std::string& words, const std::function<bool(double)>& is_right) {
-  return [=](const std::string& text) {
-    const auto value = io::parse_finite_double(text);
-    if (value && is_right(*value)) return std::string();
-    return text + (value ? " must be " + words : fault_of_number(text));
-  };
-}
 OptionCheck check_fraction() {
   return check_range("in [0, 1]", [](double x) { return x >= 0 && x <= 1; });
 }

@@ -154,7 +154,7 @@ void add_generate(CLI::App& program, Command& command) {
           "--speed", candidates.speed,
           "The speed: at 1 most corners move by a tenth of an edge's length in a step; from 0 to 1000 (default: 1)")
       ->type_name("X")
-      ->check([](const std::string& text) { return check_number(text, 0, generators::kGreatestSpeed); });
+      ->check(check_range("from 0 to 1000", [](double x) { return x >= 0 && x <= generators::kGreatestSpeed; }));
   add_separation_options(*subcommand, options->separation, "The distance at which two elements are in contact");
   subcommand->add_flag("--shared-corners", candidates.shared_corners,
                        "Include pairs that share a corner, where they touch all the time");

@@ -13,6 +13,7 @@
 #include <touchstone/query.hpp>
 
 #include "fuzz/processes/child_process.hpp"
+#include "fuzz/processes/plugin_file.hpp"
 
 namespace touchstone::fuzz {
 namespace {
@@ -38,16 +39,12 @@ bool takes_separation(Tell tell, double separation, int metric) {
 }
 
 const touchstone_solver_plugin* load(const std::string& path, SharedCall& call, Tell& tell) {
-  void* const library = ::dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL);
-  if (library == nullptr) {
-    const char* const reason = ::dlerror();
-    refuse(call, reason == nullptr ? "it cannot be loaded" : reason);
-    return nullptr;
-  }
   using Entry = const touchstone_solver_plugin* (*)();
-  const auto entry = reinterpret_cast<Entry>(::dlsym(library, "touchstone_solver"));
+  void* library = nullptr;
+  std::string fault;
+  const auto entry = reinterpret_cast<Entry>(load_plugin_function(path, "touchstone_solver", library, fault));
   if (entry == nullptr) {
-    refuse(call, "it has no function touchstone_solver (see touchstone/plugin.h)");
+    refuse(call, fault);
     return nullptr;
   }
   const touchstone_solver_plugin* const plugin = entry();

@@ -5,10 +5,8 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <filesystem>
 #include <new>
 #include <optional>
-#include <system_error>
 
 #include <touchstone/plugin.h>
 #include <touchstone/error.hpp>
@@ -16,6 +14,7 @@
 #include "fuzz/processes/child_process.hpp"
 #include "fuzz/processes/give_up.hpp"
 #include "fuzz/processes/plugin_child.hpp"
+#include "fuzz/processes/plugin_file.hpp"
 #include "fuzz/processes/shared_call.hpp"
 #include "io/fail.hpp"
 
@@ -95,11 +94,7 @@ class PluginSolver : public SolverUnderTest {
  public:
   PluginSolver(const std::string& path, const Limits& limits, const Separation& separation)
       : name_(path), limits_(limits), separation_(separation) {
-    std::error_code error;
-    path_ = std::filesystem::absolute(path, error).string();  // dlopen looks elsewhere for a name without a slash
-    if (error) path_ = path;
-    if (!std::filesystem::exists(path_, error)) io::fail(path, "there is no such plugin");
-    if (std::filesystem::is_directory(path_, error)) io::fail(path, "is a folder, not a plugin");
+    path_ = plugin_file(path);
     const std::string reason = start();
     if (!reason.empty()) io::fail(path, "the plugin cannot be used: " + reason);
     kinds_ = run_->call().kinds;

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "fuzz/steps/plugin_steps.hpp"
 
-#include <dlfcn.h>
 #include <fcntl.h>
 #include <unistd.h>
 
@@ -10,11 +9,9 @@
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
-#include <filesystem>
 #include <limits>
 #include <memory>
 #include <string_view>
-#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -26,6 +23,7 @@
 #include "fuzz/processes/line_process.hpp"
 #include "fuzz/processes/no_reply.hpp"
 #include "fuzz/processes/pipe_run.hpp"
+#include "fuzz/processes/plugin_file.hpp"
 #include "fuzz/scenes/scene_json.hpp"
 #include "fuzz/steps/pipe_steps.hpp"
 #include "io/fail.hpp"
@@ -50,13 +48,10 @@ using Ask = decltype(&touchstone_ask_step);
 }
 
 Ask load_function(const std::string& path) {
-  void* const library = ::dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL);
-  if (library == nullptr) {
-    const char* const reason = ::dlerror();
-    end_child(reason == nullptr ? "it cannot be loaded" : reason);
-  }
-  const auto ask = reinterpret_cast<Ask>(::dlsym(library, "touchstone_ask_step"));
-  if (ask == nullptr) end_child("it has no function touchstone_ask_step (see touchstone/plugin.h)");
+  void* library = nullptr;
+  std::string fault;
+  const auto ask = reinterpret_cast<Ask>(load_plugin_function(path, "touchstone_ask_step", library, fault));
+  if (ask == nullptr) end_child(fault);
   return ask;
 }
 
@@ -202,15 +197,11 @@ void serve_steps(const std::string& path) {
 }  // namespace
 
 StepSolver run_step_plugin(const std::string& path, const Limits& limits) {
-  std::error_code error;
-  if (!std::filesystem::exists(path, error)) io::fail(path, "there is no such plugin");
-  if (std::filesystem::is_directory(path, error)) io::fail(path, "is a folder, not a plugin");
-  std::string absolute = std::filesystem::absolute(path, error).string();  // dlopen looks elsewhere without a slash
-  if (error) absolute = path;
+  const std::string file = plugin_file(path);
   const std::function<void()> try_it = [&] {
     leave_at_exit();
     const KeptApart pipes;
-    load_function(absolute);
+    load_function(file);
     write_all(pipes.replies, "loaded");
   };
   try {
@@ -218,7 +209,7 @@ StepSolver run_step_plugin(const std::string& path, const Limits& limits) {
   } catch (const Error& reason) {
     io::fail(path, std::string("the plugin cannot be used: ") + reason.what());
   }
-  const auto start = [=] { return std::make_unique<PipeRun>([absolute] { serve_steps(absolute); }, limits); };
+  const auto start = [=] { return std::make_unique<PipeRun>([file] { serve_steps(file); }, limits); };
   const auto read = [](std::string_view line) {
     if (line.starts_with(kFault)) throw NoReply(FuzzFailure::malformed, std::string(line.substr(kFault.size())));
     return read_step_reply(line);

@@ -15,6 +15,7 @@
 #include "report/sets/body_steps.hpp"
 #include "report/sets/family_sets.hpp"
 #include "seeded/rng.hpp"
+#include "seeded/shuffle.hpp"
 
 namespace touchstone::report {
 namespace {
@@ -51,7 +52,7 @@ std::vector<QuerySet> scale_sets(std::uint64_t seed, std::size_t count) {
   base.about = "One set of " + std::to_string(count) +
                " edge-edge queries, half of them like random/edge-edge and half like near/edge-edge, with every "
                "coordinate times a power of two";
-  shuffle(base.queries, seeded::seed_of_stream(seed, 30));
+  seeded::shuffle(base.queries, seeded::seed_of_stream(seed, 30));
   std::vector<QuerySet> sets;
   for (const int exponent : kExponents) {
     sets.push_back(base);
@@ -104,8 +105,8 @@ Report make_report(const Size& size, std::vector<QuerySet> given, const Progress
   double done = 0;
   for (QuerySet& set : sets) {
     if (set.size() == 0) continue;
-    shuffle(set.queries, seeded::seed_of_stream(size.seed, 20));
-    shuffle(set.curved, seeded::seed_of_stream(size.seed, 20));
+    seeded::shuffle(set.queries, seeded::seed_of_stream(size.seed, 20));
+    seeded::shuffle(set.curved, seeded::seed_of_stream(size.seed, 20));
     const std::string name = set.name;
     set.separation = size.separation;
     const auto pulse = [&] { progress(name, kSimulating + kMeasuring * done / total); };

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <cstddef>
 
-#include "report/sets/family_sets.hpp"
+#include "seeded/shuffle.hpp"
 
 namespace touchstone::report {
 namespace {
@@ -36,7 +36,7 @@ std::vector<std::vector<double>> seconds_of_calls(const std::vector<std::functio
                                                   double least) {
   std::vector<std::size_t> order;
   for (std::size_t i = 0; i < actions.size(); ++i) order.insert(order.end(), static_cast<std::size_t>(repetitions), i);
-  shuffle(order, 1);
+  seeded::shuffle(order, 1);
   std::vector<std::vector<double>> seconds(actions.size());
   for (const std::size_t i : order) seconds[i].push_back(seconds_of_call(actions[i], least));
   return seconds;

@@ -87,10 +87,13 @@ std::string check_whole_number(const std::string& text, std::uint64_t least, std
   return fmt::format("{} must be a whole number from {} to {}", text, least, most);
 }
 
-std::string check_number(const std::string& text, double least, double most) {
-  const auto value = io::parse_finite_double(text);
-  if (value && *value >= least && *value <= most) return {};
-  return text + (value ? fmt::format(" must be from {} to {}", least, most) : fault_of_number(text));
+std::function<std::string(const std::string&)> check_range(const std::string& words,
+                                                           const std::function<bool(double)>& is_right) {
+  return [=](const std::string& text) {
+    const auto value = io::parse_finite_double(text);
+    if (value && is_right(*value)) return std::string();
+    return text + (value ? " must be " + words : fault_of_number(text));
+  };
 }
 
 void add_decimals_option(CLI::App& subcommand, io::Decimals& decimals) {

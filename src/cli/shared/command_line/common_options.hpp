@@ -44,8 +44,10 @@ void add_seed_option(CLI::App& subcommand, std::uint64_t& seed);
 inline constexpr std::uint64_t kMostNumber = 999'999'999'999'999'999;
 std::string check_whole_number(const std::string& text, std::uint64_t least = 0, std::uint64_t most = kMostNumber);
 
-/// The same for a decimal or hexfloat: NaN is in no range.
-std::string check_number(const std::string& text, double least, double most);
+/// Such a check of a finite number, decimal or hexfloat. @param words  of the range: "in [0, 1]"
+/// @param is_right  whether a number is in it
+std::function<std::string(const std::string&)> check_range(const std::string& words,
+                                                           const std::function<bool(double)>& is_right);
 
 /// The same for a file's name, which must not be empty.
 std::string not_empty(const std::string& name);

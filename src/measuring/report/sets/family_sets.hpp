@@ -4,13 +4,11 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <utility>
 #include <vector>
 
 #include <touchstone/query.hpp>
 
 #include "report/sets/query_set.hpp"
-#include "seeded/rng.hpp"
 
 namespace touchstone::report {
 
@@ -43,12 +41,5 @@ std::vector<Query> scaled(const std::vector<Query>& queries, int exponent);
 
 /// `count` queries of each family of curved queries, one set a kind.
 std::vector<QuerySet> curved_sets(std::uint64_t seed, std::size_t count);
-
-/// Puts the queries into an order that depends on the seed only, so that the first n are a fair sample.
-template <class AnyQuery>
-void shuffle(std::vector<AnyQuery>& queries, std::uint64_t seed) {
-  seeded::Rng random(seed);
-  for (std::size_t i = queries.size(); i > 1; --i) std::swap(queries[i - 1], queries[random.below(i)]);
-}
 
 }  // namespace touchstone::report
