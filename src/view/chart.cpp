@@ -14,11 +14,13 @@
 namespace touchstone::view {
 namespace {
 
-constexpr double kChartWidth = 560, kChartHeight = 320;               // of one chart
-constexpr double kLeft = 62, kRight = 548, kTop = 34, kBottom = 268;  // of the area for points
+constexpr double kChartWidth = 560, kChartHeight = 320;  // of one chart
 
-constexpr double kTitleHeight = 64,
-                 kLegendRow = 24;  // of a file: the height of its title, and of one row of the legend
+// Of the area for points. A label finds room above it, and half a number of the axis on its right.
+constexpr double kLeft = 62, kRight = 530, kTop = 46, kBottom = 268;
+
+constexpr double kTitleHeight = 64, kLegendRow = 24;  // the title of a file, and one row of the legend
+constexpr double kLetter = 8;                         // no letter of chart.css is wider, in the mean over a name
 
 /// Values on a line, from one end to another in the picture, and where labels stand.
 class Scale {
@@ -157,7 +159,7 @@ class ChartPainter {
       if (!series.marks || series.own != own) continue;
       for (const ChartPoint& point : series.points) {
         if (!is_drawn(point)) continue;
-        text += fmt::format("<path {} d=\"{}\"", look_of(series, "dot"),
+        text += fmt::format("<path {} d=\"{}\"", look_of(series, point.faint ? "dot faint" : "dot"),
                             shape_at(series, across_.at(point.x), height_of(point)));
         if (!point.row.empty()) text += fmt::format(" tabindex=\"0\" data-row=\"{}\"", escaped(point.row));
         text += point.told.empty() ? "/>\n" : fmt::format("><title>{}</title></path>\n", escaped(point.told));
@@ -168,10 +170,11 @@ class ChartPainter {
 
   /// Labels that find no room are left out.
   std::string labels() const {
-    std::vector<std::pair<double, double>> taken;
+    std::vector<Taken> taken;
     for (const ChartSeries& series : chart_.series) {
       for (const ChartPoint& point : series.points) {
-        if (series.marks && is_drawn(point)) taken.emplace_back(across_.at(point.x), height_of(point));
+        const double x = across_.at(point.x);
+        if (series.marks && is_drawn(point)) taken.push_back({x - 4, x + 4, height_of(point), &point});
       }
     }
     std::string text;
@@ -186,6 +189,12 @@ class ChartPainter {
   }
 
  private:
+  /// What a point or a label covers.
+  struct Taken {
+    double left, right, middle;
+    const ChartPoint* point;  ///< null: a label
+  };
+
   static bool is_drawn(const ChartPoint& point) { return point.y && std::isfinite(*point.y); }
 
   bool has_zero() const {
@@ -218,26 +227,23 @@ class ChartPainter {
         most = std::max(most, *point.y);
       }
     }
-    // A label stands above its point.
-    const double more = chart_.y.logarithmic ? most * 2 : most;
-    return Scale::of(chart_.y, least, more, has_zero() ? kBottom - 40 : kBottom, kTop);
+    return Scale::of(chart_.y, least, most, has_zero() ? kBottom - 40 : kBottom, kTop);
   }
 
   double height_of(const ChartPoint& point) const {
     return chart_.y.logarithmic && *point.y == 0 ? zero_ : up_.at(*point.y);
   }
 
-  std::string label_of(const ChartPoint& point, std::vector<std::pair<double, double>>& taken) const {
-    const double x = across_.at(point.x), y = height_of(point), above = y - 10;
-    const double width = 6.2 * static_cast<double>(point.label.size());
-    const double left = std::max(kLeft + 4, std::min(kRight - width - 4, x - width / 2));
-    const bool free = std::none_of(taken.begin(), taken.end(), [&](const auto& other) {
-      const bool same = other.first == x && other.second == y;
-      return !same && other.first > left - 8 && other.first < left + width + 8 &&
-             std::abs(other.second - above + 4) < 14;
+  std::string label_of(const ChartPoint& point, std::vector<Taken>& taken) const {
+    const double above = height_of(point) - 10, width = kLetter * static_cast<double>(point.label.size());
+    const double left = std::max(kLeft + 4, std::min(kRight - width - 4, across_.at(point.x) - width / 2));
+    const Taken room{left, left + width, above - 4, nullptr};
+    const bool free = std::none_of(taken.begin(), taken.end(), [&](const Taken& other) {
+      return other.point != &point && other.right > room.left && other.left < room.right &&
+             std::abs(other.middle - room.middle) < 14;
     });
     if (!free) return {};
-    for (const double at : {left + 4, left + width / 2, left + width - 4}) taken.emplace_back(at, above - 4);
+    taken.push_back(room);
     return text_at(left + width / 2, above, "middle", point.label);
   }
 
@@ -267,7 +273,7 @@ bool first_has_all_series(const std::vector<Chart>& charts) {
 /// The names of the series in rows: those of the first chart, or of each chart by itself. Adds the height of the rows
 /// to `height`.
 std::string legend_of(const std::vector<Chart>& charts, double width, double& height) {
-  constexpr double kMargin = 20, kLetter = 7;
+  constexpr double kMargin = 20;
   std::string text;
   const bool shared = first_has_all_series(charts);
   for (std::size_t i = 0; i < (shared ? 1 : charts.size()); ++i) {
@@ -286,7 +292,7 @@ std::string legend_of(const std::vector<Chart>& charts, double width, double& he
       const double y = height - kLegendRow / 2;
       if (series.line) text += fmt::format("<path {} d=\"M{} {}h28\"/>\n", look_of(series, "line"), left, y);
       if (series.marks)
-        text += fmt::format("<path {} d=\"{}\"/>\n", look_of(series, "dot"), shape_at(series, left + 14, y));
+        text += fmt::format("<path {} d=\"{}\"/>\n", look_of(series, "key"), shape_at(series, left + 14, y));
       text += text_at(left + 36, y + 4, "start", series.name);
       left += wide;
     }
@@ -297,9 +303,11 @@ std::string legend_of(const std::vector<Chart>& charts, double width, double& he
 }  // namespace
 
 std::string chart_svg(const Chart& chart) {
+  double height = kChartHeight;
+  const std::string legend = chart.series.size() > 1 ? legend_of({chart}, kChartWidth, height) : "";
   return fmt::format("<svg class=\"chart\" viewBox=\"0 0 {} {}\" role=\"img\" aria-label=\"{} against {}\">\n",
-                     kChartWidth, kChartHeight, escaped(chart.title), escaped(chart.x.label)) +
-         content_of(chart) + "</svg>\n";
+                     kChartWidth, height, escaped(chart.title), escaped(chart.x.label)) +
+         content_of(chart) + legend + "</svg>\n";
 }
 
 std::string chart_file(const std::string& title, const std::string& subtitle, const std::vector<Chart>& charts) {

@@ -15,6 +15,7 @@ struct ChartPoint {
   std::string label = {};   ///< beside the point, where there is room
   std::string told = {};    ///< when the pointer rests on it
   std::string row = {};     ///< the id of the table's row, on a page
+  bool faint = false;       ///< not to be compared with the others
 };
 
 /// The colours and shapes of points, which readers with any colour vision tell apart.
@@ -45,7 +46,7 @@ struct Chart {
   std::vector<ChartSeries> series;
 };
 
-/// An element for a page with chart.css: all points, and no legend. The text does not depend on the machine's locale.
+/// An element for a page with chart.css: all points, and the names of the series where there are several. The text does not depend on the machine's locale.
 std::string chart_svg(const Chart& chart);
 
 /// A whole SVG file, light or dark as its reader prefers: a title, the charts in two columns, and below them the names

@@ -36,6 +36,7 @@ view::MeasuredMethod measured(const report::Result& result, const report::QueryS
   view::MeasuredMethod method;
   method.label = result.contestant.label();
   method.look = report::look_of(result.contestant);
+  if (result.asked != set.size()) method.subset = report::asked_text(result, set);
   method.time = result.mean;
   std::optional<double> greatest;
   if (result.time_error) greatest = static_cast<double>(result.time_error->greatest_size);
@@ -64,11 +65,13 @@ std::string report_page(const report::Report& report) {
       fmt::format("How often each method is wrong, against the time that it takes. Version {}, {}, {}; seed {}{}{}",
                   version(), report::machine_name(), report::compiler_name(), report.size.seed,
                   report.size.quick ? ", quick" : "", report::separation_arguments(report.size.separation));
-  all.summary = without_marks(report::summary(report)) +
-                " Point at a method to see its numbers. A click on a column's name sorts by it.";
+  all.summary =
+      without_marks(report::summary(report)) +
+      " Point at a method to see its numbers. A faint one was asked a part of the queries: it is not compared "
+      "with the others. A click on a column's name sorts by it.";
   all.how_to_read = without_marks(report::how_to_read(report));
   all.time_axis = "us a query";
-  all.panels = {{"Wrong answers: missed, phantom or late", "% of the queries"}, {"Greatest time error", "ulps"}};
+  all.panels = {{"Missed, phantom or late", "% of the queries wrong"}, {"Greatest time error", "ulps"}};
   all.columns = {"queries", "mean us", "missed", "phantom", "late", "time error, median ulps", "earliest", "latest"};
   all.columns.insert(all.columns.end(), report::kPercentileNames.begin(), report::kPercentileNames.end());
   for (const report::SetResults& set : report.sets) {

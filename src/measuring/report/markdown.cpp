@@ -27,7 +27,8 @@ constexpr const char* kHowToRead =
     "*errors* when some answer is wrong or some time is not the exact one.\n\n"
     "*Mean us* is processor time of one thread: the median of several passes over all the queries asked, in which the "
     "methods take turns. A method that is too slow for a whole set is asked the first queries of it only (the sets are "
-    "in random order), and the table says how many: `130 of 4000`.\n\n";
+    "in random order), and the table says how many: `130 of 4000`. Such a method has no place on the front, and is "
+    "faint in pictures.\n\n";
 
 std::string picture(const std::string& name, const std::string& what) {
   return fmt::format("![{}](plots/{}.svg)\n\n", what, name);

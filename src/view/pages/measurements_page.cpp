@@ -38,10 +38,12 @@ std::string panel_of(const MeasuredSet& set, const Measurements& all, std::size_
     if (!method.errors[panel] || !(method.time > 0)) continue;
     const double error = *method.errors[panel];
     if (chart.series.empty() || chart.series.back().name != method.look.name) chart.series.push_back(method.look);
-    chart.series.back().points.push_back({method.time, error, method.label,
-                                          fmt::format("{}: {:.3g} {}, {:.3g} {}", method.label, method.time,
-                                                      all.time_axis, error, all.panels[panel].axis),
-                                          fmt::format("row-{}-{}", number, m)});
+    const std::string label =
+        method.subset.empty() ? method.label : fmt::format("{} ({})", method.label, method.subset);
+    chart.series.back().points.push_back(
+        {method.time, error, label,
+         fmt::format("{}: {:.3g} {}, {:.3g} {}", label, method.time, all.time_axis, error, all.panels[panel].axis),
+         fmt::format("row-{}-{}", number, m), !method.subset.empty()});
   }
   return chart_svg(chart);
 }

@@ -24,6 +24,7 @@ struct MeasuredMethod {
     std::optional<double> value;
   };
   std::vector<Cell> cells;
+  std::string subset = {};  ///< "184 of 600", where it was asked so many queries of the set
 };
 
 struct MeasuredSet {

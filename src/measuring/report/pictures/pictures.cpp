@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "io/write_whole.hpp"
+#include "report/text.hpp"
 
 namespace touchstone::report {
 namespace {
@@ -24,7 +25,9 @@ view::Chart error_chart(const SetResults& set, const std::string& title, const s
     if (!error) continue;
     view::ChartSeries look = look_of(result.contestant);
     if (chart.series.empty() || chart.series.back().name != look.name) chart.series.push_back(std::move(look));
-    chart.series.back().points.push_back({result.mean, error, result.contestant.tolerance_text()});
+    const bool subset = result.asked != set.set.size();
+    const std::string of = subset ? fmt::format(" ({})", asked_text(result, set.set)) : "";
+    chart.series.back().points.push_back({result.mean, error, result.contestant.tolerance_text() + of, {}, {}, subset});
   }
   return chart;
 }
@@ -43,7 +46,7 @@ ValueOf ulps_of(std::int64_t TimeError::*size) {
 }
 
 std::string subtitle(const SetResults& set) {
-  return fmt::format("{} queries, {} contacts; numbers at points: tolerances; at a dashed line 0: no error",
+  return fmt::format("{} queries, {} contacts; numbers at points: tolerances; faint: asked a part; dashed: no error",
                      set.set.size(), set.set.contacts());
 }
 
