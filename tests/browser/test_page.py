@@ -35,7 +35,8 @@ class AnsweringPage(pages.Pages):
         self.assertEqual(self.rows(), self.native(given, "--kind", "edge-edge"))
         self.assertEqual(len(self.rows()), 1)
         self.assertIn("1 query: 1 with contact.", self.text("#said"))
-        self.assertIn("touchstone view --query 0", self.text("#command"))
+        self.assertEqual(self.text("#command"), "touchstone solve edge-edge/queries.csv\n"
+                         "touchstone view --query 0 --out page.html edge-edge/queries.csv")
         requests = [each for each in self.page.requests if each != url and not each.startswith("about:srcdoc")]
         self.assertEqual((self.page.messages, requests), ([], []))
 
@@ -57,7 +58,7 @@ class AnsweringPage(pages.Pages):
         path = os.path.join(QUERIES, "vertex-face", "grazing.csv")
         with open(path, encoding="utf-8") as file:
             self.ask("vertex-face", file.read())
-        proofs = self.page.evaluate("run('prove').then((result) => text(result.out))")
+        proofs = self.page.evaluate("run(form(), 'prove').then((result) => text(result.out))")
         self.assertEqual(proofs.replace("queries.csv", "grazing.csv"),
                          self.run_program("prove", path).replace(path, "vertex-face/grazing.csv"))
 
@@ -69,6 +70,27 @@ class AnsweringPage(pages.Pages):
         self.ask("point-point", "0,0,0\n1,0,0\n1,0,0\n1,0,0\n")
         self.assertEqual(len(self.rows()), 1)
         self.assertEqual(self.rows()[0].split(",")[1:4], ["1", "1", "1"])
+
+    def test_a_picture_is_of_the_answers_beside_it_and_clears_an_error(self):
+        self.page.open(PAGE)
+        self.ask("point-point", "0,0,0\n1,0,0\n1,0,0\n1,0,0\n")
+        self.page.evaluate("document.querySelector('#text').value = 'edited since', say('an error', true), show(0)"
+                           ".then(() => 0)")
+        self.assertIn("1 query: 1 with contact.", self.text("#said"))
+        self.assertIn("point-point", self.page.evaluate("document.querySelector('#picture').srcdoc"))
+        self.assertFalse(self.page.evaluate("document.querySelector('#picture').hidden"))
+
+    def test_a_file_that_is_no_text_is_asked_as_it_is(self):
+        self.page.open(PAGE)
+        path = self.write("given.csv", "0,0,0\n1,0,0\n1,0,0\n1,0,0\n")
+        binary = os.path.join(os.path.dirname(path), "given.tsq")
+        self.run_program("convert", path, binary, "--claims", "drop", "--kind", "point-point")
+        with open(binary, "rb") as file:
+            data = list(file.read())
+        self.page.evaluate("document.querySelector('#kind').value = 'point-point', "
+                           "give(new Uint8Array(%s), 'given.tsq'), solve().then(() => 0)" % json.dumps(data))
+        self.assertEqual(self.rows(), self.native(path, "--kind", "point-point"))
+        self.assertIn("given.tsq: %d bytes" % len(data), self.page.evaluate("document.querySelector('#text').value"))
 
     def test_it_fits_a_narrow_window(self):
         self.page.window(500, 800, dark=True)
