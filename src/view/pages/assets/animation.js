@@ -292,7 +292,7 @@ class AnimationViewer {
       const number = kMarkSorts.indexOf(sort);
       return [list.filter((i) => marks.sorts[i] === number).length, sort];
     });
-    const told = counts.filter(([n]) => n > 0).map(([n, sort]) => `${n} ${this.word(sort)}`).join(', ');
+    const told = counts.filter(([n]) => n > 0).map(([n, sort]) => `${this.word(sort)} ${n}`).join(', ');
     const time =
         data.unit ? `, ${Number(this.s.toPrecision(6))} ${data.unit}` : `, t = ${Number(this.s.toPrecision(9))}`;
     const near = this.frames.around(this.s).fraction > 0 ? 'Marks near this time' : 'Marks';
