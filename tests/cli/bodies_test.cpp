@@ -55,6 +55,10 @@ TEST_CASE("bodies: a pose of the other sign turns the shorter way, unless the si
   const Run given = scene.run(poses, {"--as-given"});
   CHECK(given.status == 1);
   CHECK(occurrences(first_line(given.out), "may be meant the shorter way") == 1);
+  // Of two turns by 180 degrees neither is shorter.
+  const Run half = scene.run(std::string(kHeader) + "0,bar,0,0,0,1,0,0,0\n1,bar,0,0,0,0,0,0,-1\n");
+  CHECK(occurrences(first_line(half.out),
+                    "; 1 of 1 turns has 180 degrees, one way or the other by the signs of the quaternions") == 1);
   // A whole turn goes through a quaternion that is zero.
   const Run whole = scene.run(std::string(kHeader) + "0,bar,0,0,0,1,0,0,0\n1,bar,0,0,0,-1,0,0,0\n", {"--as-given"});
   check_refused(whole, "poses.csv: 0 -> 1: by the signs of its quaternions body 'bar' makes a whole turn");
@@ -169,6 +173,9 @@ TEST_CASE("bodies: a table of poses that is wrong is refused by its row") {
   refused(header + start + end + "0.5,bar,0,0,0,1,0,0,0\n",
           "4: time 0.5 of body 'bar' comes after its time 1 in row 3");
   refused(header + start + "0.0,bar,0,0,0,1,0,0,0\n", "3: body 'bar' is at time 0 twice, here and in row 2");
+  refused(header + "1700000000000000001,bar,0,0,0,1,0,0,0\n1700000000000000002,bar,0,0,0,1,0,0,0\n",
+          "3: body 'bar' is at time 1.7e+18 twice, here and in row 2; it has one pose at each time, and times are "
+          "doubles, which are 256 apart there");
   refused(header + start + "1,bat,0,0,0,1,0,0,0\n", "3: no file is the body 'bat'; did you mean bar?");
   refused(header + start + "1,zeppelin,0,0,0,1,0,0,0\n", "3: no file is the body 'zeppelin'; the bodies are bar, wall");
   refused(header + start + end + "1,wall,3,0,0,1,0,0,0\n", " body 'wall' has no pose at time 0, which other bodies");

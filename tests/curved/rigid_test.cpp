@@ -204,6 +204,10 @@ TEST_CASE("which of two turns a body takes is decided exactly, and the shorter o
     return takes_longer_turn({q0, q1, {}, {}});
   };
   CHECK_FALSE(takes({1, 0, 0, 0}, {0, 0, 0, -1}));
+  CHECK(takes_half_turn({{1, 0, 0, 0}, {0, 0, 0, -1}, {}, {}}));
+  CHECK(takes_half_turn({{0x1p1000, 0x1p1000, 0, 0}, {0x1p1000, -0x1p1000, 0, 0}, {}, {}}));
+  CHECK_FALSE(takes_half_turn({{1, 0, 0, 0}, {0x1p-1074, 0, 0, 1}, {}, {}}));
+  CHECK_FALSE(takes_half_turn({{std::numeric_limits<double>::infinity(), 0, 0, 0}, {0, 0, 0, 1}, {}, {}}));
   CHECK(takes({0x1p-600, 0, 0, 0}, {-0x1p-600, 0, 0, 1}));
   CHECK_FALSE(takes({0x1p-600, 0, 0, 0}, {0x1p-600, 0, 0, 1}));
   CHECK(takes({0x1p1000, 0x1p1000, 0, 0}, {0x1p1000, -0x1.0000000000001p1000, 0, 0}));

@@ -113,10 +113,12 @@ int run_bodies(const BodiesRunOptions& options) {
     throw_if_interrupted();
     const std::string label = step_label(poses, step);
     std::vector<RigidMotion> motions(count);
-    std::size_t longer = 0;
+    BodyResults::Turns turns;
     for (std::size_t body = 0; body < count; ++body) {
       const Pose start = poses.at(body, step), end = poses.at(body, step + 1);
-      longer += takes_longer_turn(motion_between(start, end, Turn::as_given)) ? 1 : 0;
+      const RigidMotion given = motion_between(start, end, Turn::as_given);
+      turns.longer += takes_longer_turn(given) ? 1 : 0;
+      turns.half += takes_half_turn(given) ? 1 : 0;
       motions[body] = motion_between(start, end, options.turn);
       check_turn(options, motions[body], files.names()[body], label);
     }
@@ -146,7 +148,7 @@ int run_bodies(const BodiesRunOptions& options) {
       ask(step + 1);
     }
     waiting.end();
-    results.add(found, longer);
+    results.add(found, turns);
     how.check_start = !found.first_contact.free();  // a free step from a free start ends free
   }
   if (proofs) proofs->commit();

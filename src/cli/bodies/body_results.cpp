@@ -76,11 +76,11 @@ void BodyResults::add_clearance(const BodyDistance& found) {
   clearances_.push_back(found.distance);
 }
 
-void BodyResults::add(const FreeBodyStep& step, std::size_t longer) {
+void BodyResults::add(const FreeBodyStep& step, const Turns& turns) {
   const FirstBodyContact& found = step.first_contact;
   if (free_step_) write_poses(step);
   if (options_.json) {
-    console_.write(json_of(found, longer));
+    console_.write(json_of(found, turns));
     console_.commit();
   }
   if (found.free()) {
@@ -95,7 +95,8 @@ void BodyResults::add(const FreeBodyStep& step, std::size_t longer) {
   excluded_ = found.excluded;
   in_open_ = std::max(in_open_, found.in_open);
   cancelled_ = std::max(cancelled_, found.cancelled);
-  longer_ += longer;
+  turns_.longer += turns.longer;
+  turns_.half += turns.half;
   ++steps_;
 }
 
@@ -136,10 +137,11 @@ std::string BodyResults::lines_of(const FirstBodyContact& found) const {
   return text;
 }
 
-std::string BodyResults::json_of(const FirstBodyContact& found, std::size_t longer) const {
+std::string BodyResults::json_of(const FirstBodyContact& found, const Turns& turns) const {
   std::string text = fmt::format(
-      "{{\"step\":{},\"from\":{},\"to\":{},\"free\":{},\"longer_turns\":{},\"start_asked\":{}", steps_,
-      decimal(poses_.times[steps_]), decimal(poses_.times[steps_ + 1]), found.free(), longer, found.start_checked);
+      "{{\"step\":{},\"from\":{},\"to\":{},\"free\":{},\"longer_turns\":{},\"half_turns\":{},\"start_asked\":{}",
+      steps_, decimal(poses_.times[steps_]), decimal(poses_.times[steps_ + 1]), found.free(), turns.longer, turns.half,
+      found.start_checked);
   if (!clearances_.empty()) {
     const auto clearance = [&](std::size_t time) {
       return std::isfinite(clearances_[time]) ? decimal(clearances_[time]) : std::string("null");
@@ -188,20 +190,28 @@ std::vector<std::string> BodyResults::left_out() const {
   };
   if (in_open_ > 0) {
     texts.push_back(pieces(in_open_) +
-                    " in the box around an open surface of another body, which has no inside: --weld closes surfaces "
-                    "whose faces have vertices of their own");
+                    " in the box around surfaces of another body that are open or branch, which have no inside: --weld "
+                    "closes surfaces whose faces have vertices of their own");
   }
   if (cancelled_ > 0) {
     texts.push_back(pieces(cancelled_) +
                     " in closed surfaces of opposite orientation, which is no inside: as in a cavity");
   }
-  if (longer_ > 0) {
+  const std::size_t longer = turns_.longer, half = turns_.half, all_turns = steps_ * (bodies - rest);
+  if (longer > 0) {
     const std::string turns =
-        fmt::format("{} of {} turns {} the longer way by the signs of the quaternions (q0 . q1 < 0)", grouped(longer_),
-                    grouped(steps_ * (bodies - rest)), longer_ == 1 ? "goes" : "go");
+        fmt::format("{} of {} turns {} the longer way by the signs of the quaternions (q0 . q1 < 0)", grouped(longer),
+                    grouped(all_turns), longer == 1 ? "goes" : "go");
     texts.push_back(turns + (options_.turn == Turn::shorter
-                                 ? fmt::format(" and {} taken the shorter way", longer_ == 1 ? "was" : "were")
+                                 ? fmt::format(" and {} taken the shorter way", longer == 1 ? "was" : "were")
                                  : " and may be meant the shorter way"));
+  }
+  if (half > 0) {
+    texts.push_back(fmt::format("{} of {} turns {} 180 degrees, one way or the other by the signs of the quaternions",
+                                grouped(half), grouped(all_turns), half == 1 ? "has" : "have"));
+  }
+  if (poses_.time_spacing > 1e-6) {
+    texts.push_back(fmt::format("times are doubles, which are {:g} apart there", poses_.time_spacing));
   }
   if (poses_.not_unit > 0) {
     texts.push_back(

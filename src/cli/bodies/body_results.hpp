@@ -27,9 +27,14 @@ class BodyResults {
   /// The least distance at the next recorded time. Those of a step's ends come before the step.
   void add_clearance(const BodyDistance& found);
 
+  /// How many bodies turn in a step as only the signs of their recorded quaternions say.
+  struct Turns {
+    std::size_t longer = 0;  ///< the longer one of two turns
+    std::size_t half = 0;    ///< one of two turns by 180 degrees
+  };
+
   /// The next step. Its first contact is all that counts without --free-step.
-  /// @param longer  how many bodies take the longer of two turns by the signs of their recorded quaternions
-  void add(const FreeBodyStep& step, std::size_t longer);
+  void add(const FreeBodyStep& step, const Turns& turns);
 
   /// What was found, and all that it leaves out: a line.
   std::string verdict() const;
@@ -40,7 +45,7 @@ class BodyResults {
  private:
   void write_poses(const FreeBodyStep& step);
   std::string lines_of(const FirstBodyContact& found) const;
-  std::string json_of(const FirstBodyContact& found, std::size_t longer) const;
+  std::string json_of(const FirstBodyContact& found, const Turns& turns) const;
   std::vector<std::string> left_out() const;
 
   std::vector<sequence::RestContact> named(const std::vector<BodyIntersection>& found) const;
@@ -54,10 +59,10 @@ class BodyResults {
   std::vector<double> clearances_;  ///< by time
   std::string nearest_;             ///< what is said of the least of them in the verdict
   std::size_t steps_ = 0, free_ = 0;
-  std::size_t shown_ = 0;                    ///< of the steps that are not free
-  std::string lines_;                        ///< of those
-  std::string first_;                        ///< what is said of the first of them in the verdict
-  std::size_t longer_ = 0;                   ///< turns
+  std::size_t shown_ = 0;  ///< of the steps that are not free
+  std::string lines_;      ///< of those
+  std::string first_;      ///< what is said of the first of them in the verdict
+  Turns turns_;
   std::size_t excluded_ = 0;                 ///< pairs of bodies
   std::size_t in_open_ = 0, cancelled_ = 0;  ///< the most of a start, as in FirstBodyContact
 };

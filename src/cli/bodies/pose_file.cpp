@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <string_view>
 #include <unordered_map>
 
@@ -182,10 +183,15 @@ class PoseReader {
     if (!(std::abs(std::hypot(std::hypot(w, x), std::hypot(y, z)) - 1) <= 1e-3) && result_.not_unit++ == 0) {
       result_.not_unit_row = row.row;
     }
+    const double spacing =
+        std::nextafter(std::abs(row.time), std::numeric_limits<double>::infinity()) - std::abs(row.time);
+    result_.time_spacing = std::max(result_.time_spacing, spacing);
     std::vector<PoseRow>& rows = rows_[found->second];
     if (!rows.empty() && rows.back().time == row.time) {
-      records_.refuse(fmt::format("body {} is at time {} twice, here and in row {}; it has one pose at each time",
-                                  io::in_quotes(name), row.time, rows.back().row));
+      records_.refuse(fmt::format(
+          "body {} is at time {} twice, here and in row {}; it has one pose at each time{}", io::in_quotes(name),
+          row.time, rows.back().row,
+          spacing > 1e-6 ? fmt::format(", and times are doubles, which are {:g} apart there", spacing) : ""));
     }
     if (!rows.empty() && !(rows.back().time < row.time)) {
       records_.refuse(

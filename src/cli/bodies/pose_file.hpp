@@ -17,6 +17,7 @@ struct RecordedPoses {
   std::vector<double> times;              ///< ascending, two or more
   std::vector<std::vector<Pose>> bodies;  ///< the poses of each body: one a time, or none for a body at rest
 
+  double time_spacing = 0;          ///< from the time of the greatest magnitude to the next double
   std::size_t not_unit = 0;         ///< the quaternions whose length differs from 1 by more than a thousandth
   std::uint64_t not_unit_row = 0;   ///< the row of the first of them
   std::vector<std::string> unread;  ///< the names of columns that say nothing about poses

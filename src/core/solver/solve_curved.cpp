@@ -93,7 +93,8 @@ Answer answer(const CurvedQuery& query, const Separation& separation, Method met
 namespace touchstone {
 inline namespace TOUCHSTONE_ABI {
 
-bool takes_longer_turn(const RigidMotion& motion) { return numbers::obtuse(motion.q0, motion.q1); }
+bool takes_longer_turn(const RigidMotion& motion) { return numbers::sign_of_dot(motion.q0, motion.q1) < 0; }
+bool takes_half_turn(const RigidMotion& motion) { return numbers::sign_of_dot(motion.q0, motion.q1) == 0; }
 
 RigidMotion with_shorter_turn(const RigidMotion& motion) {
   RigidMotion shorter = motion;

@@ -32,13 +32,13 @@ std::optional<double> zero_between(const std::array<double, 4>& a, const std::ar
   return from + to > 0 ? from / (from + to) : 0.5;
 }
 
-bool obtuse(const std::array<double, 4>& a, const std::array<double, 4>& b) {
+int sign_of_dot(const std::array<double, 4>& a, const std::array<double, 4>& b) {
   Exact dot(0);
   for (std::size_t i = 0; i < a.size(); ++i) {
-    if (!std::isfinite(a[i]) || !std::isfinite(b[i])) return false;
+    if (!std::isfinite(a[i]) || !std::isfinite(b[i])) return 1;
     dot = dot + Exact(a[i]) * Exact(b[i]);
   }
-  return sign_of(dot) < 0;
+  return sign_of(dot);
 }
 
 }  // namespace touchstone::numbers

@@ -12,7 +12,7 @@ namespace touchstone::numbers {
 /// @return nothing when it is never zero: unless b is a times a negative number
 std::optional<double> zero_between(const std::array<double, 4>& a, const std::array<double, 4>& b);
 
-/// Whether a . b < 0, decided exactly. False where a component is not finite.
-bool obtuse(const std::array<double, 4>& a, const std::array<double, 4>& b);
+/// The sign of a . b, exactly; 1 where a component is not finite.
+int sign_of_dot(const std::array<double, 4>& a, const std::array<double, 4>& b);
 
 }  // namespace touchstone::numbers

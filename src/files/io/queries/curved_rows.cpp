@@ -199,7 +199,7 @@ std::string CurvedRows::add_motion(const Columns& columns, std::uint64_t line) {
     return "the quaternion in columns " + std::to_string(column + 1) + " to " + std::to_string(column + 4) +
            " is zero; an orientation needs a component that is not 0";
   }
-  if (numbers::obtuse(motion.q0, motion.q1)) {
+  if (numbers::sign_of_dot(motion.q0, motion.q1) < 0) {
     longer_turns_.merge({1, line});
     if (turns_ == Turns::shorter) {
       for (double& component : motion.q1) component = -component;
