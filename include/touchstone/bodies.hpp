@@ -147,8 +147,23 @@ struct BodyIntersection {
   IntersectionSort sort = IntersectionSort::touches;
 };
 
+/// What a question about bodies left out, and what nobody can tell.
+struct BodiesLeftOut {
+  /// How many pieces of bodies (surfaces, wires, loose points) lie in the box around the open surfaces of another body,
+  /// at rest or at the start of a step, if that was asked about. Such surfaces have no inside, even if they are closed
+  /// but for vertices that lie on each other and are not one.
+  std::size_t in_open = 0;
+
+  /// And how many lie within closed surfaces of another body whose winding numbers add up to 0: as in a cavity, or in
+  /// two solids that overlap, one of which is inside out. They count as outside.
+  std::size_t cancelled = 0;
+
+  /// How many pairs of bodies the rules left out.
+  std::size_t excluded = 0;
+};
+
 /// The first contact of some bodies in a step.
-struct FirstBodyContact {
+struct FirstBodyContact : BodiesLeftOut {
   /// Whether elements of two bodies that are not in contact at the start come into contact in [0, t_max].
   bool contact = false;
 
@@ -168,16 +183,6 @@ struct FirstBodyContact {
 
   /// Where bodies intersect at the start; empty when that was not asked.
   std::vector<BodyIntersection> start_intersections;
-
-  /// Of the start: how many pieces of bodies (surfaces, wires, loose points) lie in the box around an open surface of
-  /// another body. It has no inside, even if it is closed but for vertices that lie on each other and are not one.
-  std::size_t in_open = 0;
-  /// And how many lie within closed surfaces of another body whose winding numbers add up to 0: as in a cavity, or in
-  /// two solids that overlap, one of which is inside out. They count as outside.
-  std::size_t cancelled = 0;
-
-  /// How many pairs of bodies the rules left out.
-  std::size_t excluded = 0;
 
   /// Whether there is no contact at all in the step, and no intersection at the start, if that was asked about.
   bool free() const noexcept { return !contact && at_start.empty() && start_intersections.empty(); }
@@ -217,16 +222,17 @@ std::vector<BodyPair> candidates(const Bodies& bodies, const std::vector<RigidMo
 /// Where bodies intersect at rest, exactly. Separations and radii do not count. An edge and a face are compared, two
 /// edges if one of them is in no face, a loose point and a face, a loose point and an edge that is in no face, and two
 /// loose points. What lies inside closed surfaces of another body, as Intersection says, is found too.
-/// @param bodies   the bodies
-/// @param poses    one for each body
-/// @param options  how the question is answered
+/// @param bodies    the bodies
+/// @param poses     one for each body
+/// @param options   how the question is answered
+/// @param left_out  null, or becomes what was not found out
 /// @return the intersections, in ascending order of the first elements and then of the second ones
 /// @throws InvalidQuery  as first_contact
 std::vector<BodyIntersection> intersections(const Bodies& bodies, const std::vector<Pose>& poses,
-                                            const MeshOptions& options = {});
+                                            const MeshOptions& options = {}, BodiesLeftOut* left_out = nullptr);
 
 /// How near bodies come to each other at rest.
-struct BodyDistance {
+struct BodyDistance : BodiesLeftOut {
   /// The least distance, rounded up to a double: some pair comes within it, and none within the next lesser double. It
   /// is 0 where bodies intersect, and where one is inside the other. Infinity where no two elements may collide, or
   /// where all that may are farther apart than the greatest double.
@@ -237,9 +243,6 @@ struct BodyDistance {
   std::vector<BodyContact> pairs;
 
   std::vector<BodyIntersection> intersections;  ///< where bodies intersect
-  std::size_t in_open = 0;                      ///< as in FirstBodyContact
-  std::size_t cancelled = 0;                    ///< as in FirstBodyContact
-  std::size_t excluded = 0;                     ///< as in FirstBodyContact
 };
 
 /// The least distance of two elements of two bodies at rest, of the pairs that first_contact asks about, in the metric
@@ -290,7 +293,7 @@ struct BodyScrewContact {
 
 /// Whether bodies that turn at constant rates come into contact. Whatever the verdict is, they certainly have no
 /// contact before `free_until`, but for the start, if that was not asked about.
-struct BodyScrewAnswer {
+struct BodyScrewAnswer : BodiesLeftOut {
   ScrewVerdict verdict = ScrewVerdict::free;  ///< `contact` where a pair certainly meets
   double free_until = 0;                      ///< no contact is at a time less than this; t_max for `free`
   double contact_by = 0;  ///< for `contact`: there is a contact at this time or before it; t_max otherwise
@@ -300,7 +303,6 @@ struct BodyScrewAnswer {
 
   bool start_checked = false;                         ///< as in FirstBodyContact
   std::vector<BodyIntersection> start_intersections;  ///< as in FirstBodyContact
-  std::size_t excluded = 0;                           ///< as in FirstBodyContact
 
   /// Whether there is certainly no contact, and no intersection at the start, if that was asked about.
   bool free() const noexcept { return verdict == ScrewVerdict::free && start_intersections.empty(); }

@@ -125,7 +125,7 @@ struct touchstone_first_body_contact {
   int32_t start_checked; /**< 1 when that was asked, by check_start of the options, otherwise 0 */
   int32_t reserved;      /**< of no meaning */
 
-  /** Of the start: how many pieces of bodies lie in the box around an open surface of another body, which has no
+  /** Of the start: how many pieces of bodies lie in the box around the open surfaces of another body, which have no
    *  inside. */
   size_t in_open;
   size_t cancelled; /**< and how many in closed surfaces whose winding numbers add up to 0: they count as outside */
@@ -319,13 +319,15 @@ struct touchstone_body_screw_answer {
   size_t start_intersections; /**< as in touchstone_first_body_contact */
   int32_t start_checked;      /**< as in touchstone_first_body_contact */
   int32_t reserved;           /**< of no meaning */
+  size_t in_open;             /**< as in touchstone_first_body_contact */
+  size_t cancelled;           /**< as in touchstone_first_body_contact */
   size_t excluded;            /**< as in touchstone_first_body_contact */
   size_t turned;              /**< as in touchstone_first_body_contact */
 };
 
 /** No answer. */
 #define TOUCHSTONE_BODY_SCREW_ANSWER_INIT \
-  { sizeof(struct touchstone_body_screw_answer), 0, 0, 0.0, 0.0, 0, 0, 0, 0, 0 }
+  { sizeof(struct touchstone_body_screw_answer), 0, 0, 0.0, 0.0, 0, 0, 0, 0, 0, 0, 0 }
 
 /** Whether bodies that turn at constant rates, as slerp and screw motions do, come into contact. No finite polynomial
  *  is such a motion, so the answer has three values; touchstone/screw.hpp says what is proved.

@@ -285,6 +285,8 @@ TEST_CASE("screws, intersections and distances of bodies answer in C as those of
     CHECK(told.start_intersections == screw.start_intersections.size());
     CHECK(told.start_checked == (screw.start_checked ? 1 : 0));
     CHECK(told.excluded == screw.excluded);
+    CHECK(told.in_open == screw.in_open);
+    CHECK(told.cancelled == screw.cancelled);
     CHECK(told.turned == scene_turned);
     CHECK(same_screws(screw.pairs, open));
 

@@ -178,6 +178,18 @@ def test_bodies_that_intersect_at_the_start_are_told():
     pierced = bodies.intersections(start, quaternion="wxyz", threads=2)
     assert "pierces" in pierced.sort and set(pierced.first_body) | set(pierced.second_body) == {0, 1, 2}
     assert list(pierced)[0] == pierced[0] and len(pierced[1:]) == len(pierced) - 1
+    assert (pierced.in_open, pierced.cancelled, pierced.excluded) == (0, 0, 0)
+
+
+def test_intersections_say_what_lies_in_open_surfaces():
+    large = box(4, 4, 4)
+    corners = np.array(large.points)[np.array(FACES)].reshape(-1, 3)
+    soup = ts.Body(corners, np.arange(len(corners)).reshape(-1, 3))
+    bodies = ts.Bodies([soup, box(1, 1, 1)])
+    found = bodies.intersections(poses(AT_REST, AT_REST), quaternion="wxyz")
+    assert (len(found), found.in_open) == (0, 1)
+    assert repr(found) == "<BodyIntersections: 0; 1 piece in the box of open surfaces>"
+    assert repr(found[:0]) == repr(found) == repr(pickle.loads(pickle.dumps(found)))
 
 
 def test_rules_leave_pairs_of_bodies_out():

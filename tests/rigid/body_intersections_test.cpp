@@ -202,3 +202,38 @@ TEST_CASE("a body in an open surface is counted: that has no inside") {
   CHECK(found.in_open == 1);
   CHECK(found.cancelled == 0);
 }
+
+TEST_CASE("a body in a surface of unjoined faces, or of two halves, is counted, wherever it is asked") {
+  const Body large = box(4, 4, 4);
+  MeshElements soup, halves = large.mesh().elements();
+  std::vector<Vec3> points;
+  for (const auto& face : large.mesh().faces()) {
+    const auto first = static_cast<MeshIndex>(points.size());
+    for (const MeshIndex v : face) points.push_back(large.points()[v]);
+    soup.faces.push_back({first, first + 1, first + 2});
+  }
+  soup.vertex_count = points.size();
+  // The second half of the faces has vertices of its own.
+  const auto count = static_cast<MeshIndex>(large.points().size());
+  std::vector<Vec3> twice(large.points().begin(), large.points().end());
+  twice.insert(twice.end(), large.points().begin(), large.points().end());
+  for (std::size_t f = halves.faces.size() / 2; f < halves.faces.size(); ++f) {
+    for (MeshIndex& v : halves.faces[f]) v += count;
+  }
+  halves.edges.clear();
+  halves.vertex_count = twice.size();
+  for (const Body& around : {Body(Mesh(soup), Positions(points)), Body(Mesh(halves), Positions(twice))}) {
+    Bodies bodies;
+    bodies.bodies = {around, box(1, 1, 1), box(1, 1, 1)};
+    std::vector<RigidMotion> motions(3);
+    motions[2].p0.x = motions[2].p1.x = 20;
+    const FirstBodyContact found = first_contact(bodies, motions);
+    CHECK((found.free() && found.in_open == 1));
+    CHECK(solve_screw(bodies, motions).in_open == 1);
+    const std::vector<Pose> poses{{}, {}, {{1, 0, 0, 0}, {20, 0, 0}}};
+    CHECK(distance(bodies, poses).in_open == 1);
+    BodiesLeftOut left_out;
+    CHECK(intersections(bodies, poses, {}, &left_out).empty());
+    CHECK((left_out.in_open == 1 && left_out.cancelled == 0 && left_out.excluded == 0));
+  }
+}

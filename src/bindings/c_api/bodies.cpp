@@ -333,6 +333,8 @@ int touchstone_bodies_solve_screw(const touchstone_bodies* bodies, const double*
                                                found.start_intersections.size(),
                                                found.start_checked ? 1 : 0,
                                                0,
+                                               found.in_open,
+                                               found.cancelled,
                                                found.excluded,
                                                motions.turned};
     if (open != nullptr) *open = new touchstone_body_screws{std::move(found.pairs)};

@@ -258,10 +258,7 @@ FirstBodyContact find_first(const Bodies& bodies, const CollidingBodies& collidi
   result.at_start = with_answers(bodies, motions, earliest.at_start(), options);
   result.start_checked = options.check_start;
   if (options.check_start) {
-    Unclear unclear;
-    result.start_intersections = find_intersections(bodies, colliding, starts_of(motions), options, &unclear);
-    result.in_open = unclear.in_open;
-    result.cancelled = unclear.cancelled;
+    result.start_intersections = find_intersections(bodies, colliding, starts_of(motions), options, &result);
   }
   result.excluded = colliding.excluded();
   return result;

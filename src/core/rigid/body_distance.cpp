@@ -61,11 +61,7 @@ double some_distance(const BodyOnArc& a, const BodyOnArc& b) noexcept {
 BodyDistance find_distance(const Bodies& bodies, const CollidingBodies& colliding, const std::vector<Pose>& poses,
                            const MeshOptions& options) {
   BodyDistance result;
-  Unclear unclear;
-  result.intersections = find_intersections(bodies, colliding, poses, options, &unclear);
-  result.in_open = unclear.in_open;
-  result.cancelled = unclear.cancelled;
-  result.excluded = colliding.excluded();
+  result.intersections = find_intersections(bodies, colliding, poses, options, &result);
 
   const std::vector<RigidMotion> motions = resting(poses);
   const std::vector<Arc> arcs = arcs_of(bodies, motions, 0, 0);

@@ -118,7 +118,7 @@ std::vector<char> meeting_pieces(const Body::Impl& body, BodyIndex number, const
 struct Around {
   std::optional<Index> face;  ///< the least one of the least closed surface, if it is inside these
   bool cancels = false;       ///< closed surfaces are around it, and their winding numbers add up to 0
-  bool in_open = false;       ///< it is in the box around an open surface
+  bool in_open = false;       ///< it is in the box around all open surfaces of the body
 };
 
 Around surfaces_around(const Body::Impl& body, const ExactPoint& point, const Exact& scale) {
@@ -148,13 +148,18 @@ Around surfaces_around(const Body::Impl& body, const ExactPoint& point, const Ex
     odd[piece] ^= pass & 1;
   }
   int winding = 0;
+  Box open = broad_phase::empty_box();  // one box: open surfaces enclose something together, as unjoined faces do
   for (Index piece = 0; piece < pieces.size(); ++piece) {
-    if (pieces[piece].sort == mesh::PieceSort::open && is_in(pieces[piece].box)) around.in_open = true;
+    if (pieces[piece].sort == mesh::PieceSort::open) {
+      broad_phase::extend(open, {pieces[piece].box.low[0], pieces[piece].box.low[1], pieces[piece].box.low[2]});
+      broad_phase::extend(open, {pieces[piece].box.high[0], pieces[piece].box.high[1], pieces[piece].box.high[2]});
+    }
     const bool is_even = pieces[piece].sort == mesh::PieceSort::even;
     if (is_even ? odd[piece] == 0 : passes[piece] == 0) continue;
     winding += is_even ? 1 : passes[piece];
     if (!around.face) around.face = pieces[piece].least;
   }
+  around.in_open = is_in(open);
   around.cancels = around.face && winding == 0;
   if (winding == 0) around.face.reset();
   return around;
@@ -162,7 +167,7 @@ Around surfaces_around(const Body::Impl& body, const ExactPoint& point, const Ex
 
 /// Adds what lies inside closed surfaces of the other body, and meets no element of it.
 void add_inside(const Bodies& bodies, const std::vector<ExactPose>& poses, BodyIndex inner, BodyIndex outer,
-                std::vector<BodyIntersection>& all, Unclear& unclear) {
+                std::vector<BodyIntersection>& all, BodiesLeftOut& left_out) {
   const Body::Impl &body = bodies.bodies[inner].impl(), &other = bodies.bodies[outer].impl();
   if (other.mesh.faces().empty()) return;
   const mesh::Pieces& pieces = body.pieces();
@@ -177,8 +182,8 @@ void add_inside(const Bodies& bodies, const std::vector<ExactPose>& poses, BodyI
       all.push_back(
           {MeshElement::vertex, {inner, vertex}, MeshElement::face, {outer, *found.face}, IntersectionSort::inside});
     } else {
-      unclear.cancelled += found.cancels ? 1 : 0;
-      unclear.in_open += found.in_open ? 1 : 0;
+      left_out.cancelled += found.cancels ? 1 : 0;
+      left_out.in_open += found.in_open ? 1 : 0;
     }
   }
 }
@@ -187,7 +192,7 @@ void add_inside(const Bodies& bodies, const std::vector<ExactPose>& poses, BodyI
 
 std::vector<BodyIntersection> find_intersections(const Bodies& bodies, const CollidingBodies& colliding,
                                                  const std::vector<Pose>& poses, const MeshOptions& options,
-                                                 Unclear* unclear) {
+                                                 BodiesLeftOut* left_out) {
   const std::vector<RigidMotion> motions = resting(poses);
   Bodies touching;  // separations and radii do not count
   touching.bodies = bodies.bodies;
@@ -208,17 +213,18 @@ std::vector<BodyIntersection> find_intersections(const Bodies& bodies, const Col
         }
       };
       for_each_near_at_rest({a, bodies.bodies[a].impl(), arcs[a]}, {b, bodies.bodies[b].impl(), arcs[b]}, take);
-      Unclear some;
+      BodiesLeftOut some;
       add_inside(bodies, exact, a, b, found, some);
       add_inside(bodies, exact, b, a, found, some);
       const std::lock_guard<std::mutex> guard(lock);
-      if (unclear != nullptr) {
-        unclear->in_open += some.in_open;
-        unclear->cancelled += some.cancelled;
+      if (left_out != nullptr) {
+        left_out->in_open += some.in_open;
+        left_out->cancelled += some.cancelled;
       }
       all.insert(all.end(), found.begin(), found.end());
     }
   });
+  if (left_out != nullptr) left_out->excluded = colliding.excluded();
   std::sort(all.begin(), all.end(), [](const BodyIntersection& a, const BodyIntersection& b) {
     return std::tie(a.first_element, a.second_element, a.first, a.second) <
            std::tie(b.first_element, b.second_element, b.first, b.second);
@@ -232,11 +238,12 @@ namespace touchstone {
 inline namespace TOUCHSTONE_ABI {
 
 std::vector<BodyIntersection> intersections(const Bodies& bodies, const std::vector<Pose>& poses,
-                                            const MeshOptions& options) {
+                                            const MeshOptions& options, BodiesLeftOut* left_out) {
   const numbers::DefaultFloatEnvironment environment;
   const rigid::CollidingBodies colliding(bodies);
   rigid::validate(bodies, rigid::resting(poses), options.threads);
-  return rigid::find_intersections(bodies, colliding, poses, options);
+  if (left_out != nullptr) *left_out = {};
+  return rigid::find_intersections(bodies, colliding, poses, options, left_out);
 }
 
 }  // namespace TOUCHSTONE_ABI

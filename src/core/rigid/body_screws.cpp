@@ -87,7 +87,7 @@ BodyScrewAnswer decide(const Bodies& bodies, const CollidingBodies& colliding, c
   result.excluded = colliding.excluded();
   result.start_checked = options.check_start;
   if (options.check_start) {
-    result.start_intersections = find_intersections(bodies, colliding, starts_of(motions), options);
+    result.start_intersections = find_intersections(bodies, colliding, starts_of(motions), options, &result);
   }
   const BodyPairs near = near_bodies(bodies, colliding, balls_of(bodies, motions));
   if (near.empty()) return result;

@@ -62,16 +62,11 @@ std::vector<BodyContact> find_all(const Bodies& bodies, const CollidingBodies& c
 FirstBodyContact find_first(const Bodies& bodies, const CollidingBodies& colliding,
                             const std::vector<RigidMotion>& motions, const BodyStepOptions& options);
 
-/// How many pieces of bodies nobody can tell to be inside or outside of another body.
-struct Unclear {
-  std::size_t in_open = 0, cancelled = 0;  ///< as in FirstBodyContact
-};
-
-/// @param poses    valid
-/// @param unclear  null, or its numbers are added to
+/// @param poses     valid
+/// @param left_out  null, or becomes what was not found out; it is empty before
 std::vector<BodyIntersection> find_intersections(const Bodies& bodies, const CollidingBodies& colliding,
                                                  const std::vector<Pose>& poses, const MeshOptions& options,
-                                                 Unclear* unclear = nullptr);
+                                                 BodiesLeftOut* left_out = nullptr);
 
 std::vector<Pose> starts_of(const std::vector<RigidMotion>& motions);
 

@@ -42,7 +42,7 @@ all_contacts(start, end, *, quaternion, turn='shorter', t_max=1.0, threads=1)
 candidates(start, end, *, quaternion, turn='shorter', threads=1)
     BodyPairs without answers: every pair in contact is among them
 free_step(start, end, *, quaternion, turn='shorter', threads=1, check_start=True)
-    FreeBodyStep: the longest step that is proved free of contact, to poses rounded as they are returned
+    FreeBodyStep: a long step that is proved free of contact, to poses rounded as they are returned
 contact_normal(contacts, start, end, *, quaternion, turn='shorter', t_max=1.0, threads=1)
     (m, 3) float64: the unit normal of each of the BodyPairs at its first contact in one motion, from the first element
     to the second, as touchstone.contact_normal; NaN where there is none
@@ -240,7 +240,7 @@ void define_questions(py::class_<Bodies>& bound) {
             });
           },
           start, end, py::kw_only(), quaternion, turn, threads, check_start,
-          "The longest step that is proved free of contact: a FreeBodyStep. See Bodies.")
+          "A long step that is proved free of contact: a FreeBodyStep. See Bodies.")
       .def("contact_normal", &contact_normals, py::arg("contacts"), start, end, py::kw_only(), quaternion, turn, t_max,
            threads, "The unit normals of contacts, from the first element to the second. See Bodies.")
       .def(
@@ -248,7 +248,9 @@ void define_questions(py::class_<Bodies>& bound) {
           [](const Bodies& self, py::handle x, py::handle order, py::handle thread_count) {
             const BodySteps rest(self, x, order_of(order));
             return rest.each(thread_count, [&](const AskedMotions& one, const MeshOptions& options) {
-              return BodyIntersections{intersections(self, rigid::starts_of(one.motions), options)};
+              BodyIntersections found;
+              found.all = intersections(self, rigid::starts_of(one.motions), options, &found.left_out);
+              return found;
             });
           },
           py::arg("poses"), py::kw_only(), quaternion, threads,

@@ -52,9 +52,13 @@ void members(Archive& archive, BodyIntersection& x) {
   archive(x.first_element, x.first, x.second_element, x.second, x.sort);
 }
 template <class Archive>
+void members(Archive& archive, BodiesLeftOut& x) {
+  archive(x.in_open, x.cancelled, x.excluded);
+}
+template <class Archive>
 void members(Archive& archive, FirstBodyContact& x) {
-  archive(x.contact, x.toi, x.toi_upper, x.earliest, x.at_start, x.start_checked, x.start_intersections, x.in_open,
-          x.cancelled, x.excluded);
+  archive(x.contact, x.toi, x.toi_upper, x.earliest, x.at_start, x.start_checked, x.start_intersections,
+          static_cast<BodiesLeftOut&>(x));
 }
 template <class Archive>
 void members(Archive& archive, LeftOut& x) {
@@ -66,7 +70,7 @@ void members(Archive& archive, BodyPairs& x) {
 }
 template <class Archive>
 void members(Archive& archive, BodyIntersections& x) {
-  archive(x.all);
+  archive(x.all, x.left_out);
 }
 template <class Archive>
 void members(Archive& archive, FoundBodyContact& x) {
@@ -79,7 +83,7 @@ void members(Archive& archive, FoundBodyStep& x) {
 
 template <class Archive>
 void members(Archive& archive, FoundBodyDistance& x) {
-  archive(x.found.distance, x.found.pairs, x.found.intersections, x.found.in_open, x.found.cancelled, x.found.excluded);
+  archive(x.found.distance, x.found.pairs, x.found.intersections, static_cast<BodiesLeftOut&>(x.found));
 }
 
 }  // namespace touchstone::python

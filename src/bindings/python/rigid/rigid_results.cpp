@@ -57,8 +57,35 @@ std::string count_text(std::size_t count, const char* one, const char* many) {
 std::string excluded_text(std::size_t excluded) {
   return count_text(excluded, "pair of bodies left out", "pairs of bodies left out");
 }
+/// What was not asked: "; 1 pair of bodies left out".
+std::string left_out_text(const BodiesLeftOut& found) {
+  return excluded_text(found.excluded) +
+         count_text(found.in_open, "piece in the box of open surfaces", "pieces in the box of open surfaces") +
+         count_text(found.cancelled, "piece in a cavity", "pieces in a cavity");
+}
 std::string turned_text(std::size_t turned) {
   return count_text(turned, "body takes the shorter turn", "bodies take the shorter turn");
+}
+
+/// Defines what nobody can tell to be inside or outside. @param of  the BodiesLeftOut of results
+template <class Results, class Of>
+void define_unclear(py::class_<Results>& bound, const Of& of) {
+  bound
+      .def_property_readonly(
+          "in_open", [of](const Results& self) { return of(self).in_open; },
+          "how many pieces of bodies are in the box around another body's open surfaces, which have no inside")
+      .def_property_readonly(
+          "cancelled", [of](const Results& self) { return of(self).cancelled; },
+          "how many pieces are in closed surfaces of opposite orientation, as in a cavity");
+}
+
+/// The same, and what the rules left out.
+template <class Results, class Of>
+void define_left_out_at_rest(py::class_<Results>& bound, const Of& of) {
+  define_unclear(bound, of);
+  bound.def_property_readonly(
+      "excluded", [of](const Results& self) { return of(self).excluded; },
+      "how many pairs of bodies the rules left out");
 }
 
 /// Defines what a question about bodies leaves out, and what it changed before.
@@ -131,10 +158,11 @@ void define_body_intersections(py::module_& module) {
                               std::string(name_of(one.sort)));
       },
       [](const BodyIntersections& self, const std::vector<std::size_t>& chosen) {
-        return BodyIntersections{items_at(self.all, chosen)};
+        return BodyIntersections{items_at(self.all, chosen), self.left_out};
       });
+  define_left_out_at_rest(bound, [](const BodyIntersections& self) -> const BodiesLeftOut& { return self.left_out; });
   bound.def("__repr__", [](const BodyIntersections& self) {
-    return "<BodyIntersections: " + std::to_string(self.all.size()) + ">";
+    return "<BodyIntersections: " + std::to_string(self.all.size()) + left_out_text(self.left_out) + ">";
   });
   ResultColumns<BodyIntersections, BodyIntersection> columns(bound, &BodyIntersections::all);
   columns.words("first_element", &BodyIntersection::first_element, "a list of 'edge' or 'vertex'");
@@ -145,14 +173,6 @@ void define_body_intersections(py::module_& module) {
 }
 
 std::string double_text(double number) { return std::string(py::repr(py::float_(number))); }
-
-/// What was not asked: "; 1 pair of bodies left out".
-template <class Found>
-std::string left_out_text(const Found& found) {
-  return excluded_text(found.excluded) +
-         count_text(found.in_open, "piece in the box of an open surface", "pieces in the box of an open surface") +
-         count_text(found.cancelled, "piece in a cavity", "pieces in a cavity");
-}
 
 /// The same, and what was changed before the question.
 std::string left_out_text(const FoundBodyContact& self) {
@@ -186,8 +206,10 @@ void define_first_body_contact(py::module_& module) {
   py::class_<FoundBodyContact> bound =
       define_class<FoundBodyContact>(module, "FirstBodyContact", "The first contact of bodies in a step.");
   define_pickle(bound);
-  define_left_out(bound, of_found(&FirstBodyContact::excluded),
-                  [](const FoundBodyContact& self) -> const std::vector<BodyIndex>& { return self.turned; });
+  define_left_out(
+      bound, [](const FoundBodyContact& self) { return self.found.excluded; },
+      [](const FoundBodyContact& self) -> const std::vector<BodyIndex>& { return self.turned; });
+  define_unclear(bound, [](const FoundBodyContact& self) -> const BodiesLeftOut& { return self.found; });
   bound
       .def_property_readonly("contact", of_found(&FirstBodyContact::contact),
                              "whether elements of two bodies that are not in contact at the start come into contact")
@@ -201,16 +223,14 @@ void define_first_body_contact(py::module_& module) {
                              "whether the start was asked about, by check_start=True")
       .def_property_readonly(
           "start_intersections",
-          [](const FoundBodyContact& self) { return BodyIntersections{self.found.start_intersections}; },
+          [](const FoundBodyContact& self) {
+            return BodyIntersections{self.found.start_intersections, self.found};
+          },
           "BodyIntersections: where bodies intersect at the start; empty when that was not asked")
       .def_property_readonly("earliest", contacts_of(&FirstBodyContact::earliest),
                              "BodyPairs: every pair whose contact begins at exactly that time")
       .def_property_readonly("at_start", contacts_of(&FirstBodyContact::at_start),
                              "BodyPairs: every pair in contact at t = 0")
-      .def_property_readonly("in_open", of_found(&FirstBodyContact::in_open),
-                             "how many pieces of bodies are in the box around an open surface, which has no inside")
-      .def_property_readonly("cancelled", of_found(&FirstBodyContact::cancelled),
-                             "how many pieces are in closed surfaces of opposite orientation, as in a cavity")
       .def_readonly("t_max", &FoundBodyContact::t_max, "the end of the time that was asked about")
       .def("__repr__", [](const FoundBodyContact& self) {
         return "<FirstBodyContact: " + verdict_of(self) + left_out_text(self) + ">";
@@ -246,6 +266,7 @@ void define_body_distance(py::module_& module) {
   py::class_<FoundBodyDistance> bound =
       define_class<FoundBodyDistance>(module, "BodyDistance", "How near bodies come to each other at rest.");
   define_pickle(bound);
+  define_left_out_at_rest(bound, [](const FoundBodyDistance& self) -> const BodiesLeftOut& { return self.found; });
   bound
       .def_property_readonly(
           "distance", [](const FoundBodyDistance& self) { return self.found.distance; },
@@ -257,17 +278,11 @@ void define_body_distance(py::module_& module) {
           },
           "BodyPairs: every pair within this distance")
       .def_property_readonly(
-          "intersections", [](const FoundBodyDistance& self) { return BodyIntersections{self.found.intersections}; },
+          "intersections",
+          [](const FoundBodyDistance& self) {
+            return BodyIntersections{self.found.intersections, self.found};
+          },
           "BodyIntersections: where bodies intersect")
-      .def_property_readonly(
-          "excluded", [](const FoundBodyDistance& self) { return self.found.excluded; },
-          "how many pairs of bodies the rules left out")
-      .def_property_readonly(
-          "in_open", [](const FoundBodyDistance& self) { return self.found.in_open; },
-          "how many pieces of bodies are in the box around an open surface, which has no inside")
-      .def_property_readonly(
-          "cancelled", [](const FoundBodyDistance& self) { return self.found.cancelled; },
-          "how many pieces are in closed surfaces of opposite orientation, as in a cavity")
       .def("__repr__", [](const FoundBodyDistance& self) {
         const BodyDistance& found = self.found;
         return "<BodyDistance: " + double_text(found.distance) + ", " + std::to_string(found.pairs.size()) +

@@ -36,6 +36,7 @@ struct BodyIntersections {
   using BoundToPython = void;
 
   std::vector<BodyIntersection> all;
+  BodiesLeftOut left_out;
 };
 
 /// A first contact, and what was asked.

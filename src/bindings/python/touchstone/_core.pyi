@@ -208,6 +208,9 @@ class BodyIntersections:
     second_body: _Indices
     second: _Indices
     sort: List[str]
+    in_open: int
+    cancelled: int
+    excluded: int
     def __len__(self) -> int: ...
     @overload
     def __getitem__(self, i: int) -> _BodyIntersection: ...
