@@ -60,6 +60,7 @@ TEST_CASE("an answer within the engine's tolerance is counted apart, and one bey
   const Run beyond = audit(folder, {"toy/strict", "--cases", "2000", "--findings", "1"});
   CAPTURE(beyond.out, beyond.err);
   CHECK(beyond.status == 1);
+  CHECK(occurrences(beyond.out, " more kinds of failure not shown; --findings 0 shows all\n") >= 1);
   const auto found = numbers_of(beyond.out, "toy/strict", "vertex-face");
   REQUIRE(found.size() == 5);
   CHECK(found[1] + found[2] + found[3] > 100);

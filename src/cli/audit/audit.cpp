@@ -75,6 +75,10 @@ bool ask(Audit& audit, const std::string& name, const FuzzCommandOptions& search
         return !interrupted();
       });
   add_findings(audit, name, search, outcome.findings);
+  if (const std::size_t rest = outcome.kinds_of_failure - outcome.findings.size(); rest > 0) {
+    audit.findings += fmt::format("{}, {}: {} of failure not shown; --findings 0 shows all\n", name, name_of(kind),
+                                  rest == 1 ? "1 more kind" : fmt::format("{} more kinds", rest));
+  }
   outcome.findings.clear();
   audit.rows.push_back({name, kind, std::move(outcome)});
   return !interrupted();
