@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # The checks that take too long for every change. Each commit gets one of them, by its number, so that all come round.
-#   heavy.sh JOB [PART/PARTS]   one job; of a job that is a list of tests or faults, the PART-th of so many parts
+#   heavy.sh JOB [PART/PARTS]   one job; of a job that is a list of tests or faults, the PART-th of so many parts.
+#                               A part of `sanitizers` or `clang` is some folders of tests; the others are not built.
 #   heavy.sh --of COMMIT        the job of this commit, and its part
 #   heavy.sh --list             the jobs
 # Exit status 0 when nothing failed. A job whose tools cannot be installed is skipped with a reason.
@@ -47,6 +48,25 @@ ctest_part() {
   (cd -- "$touchstone_root" && ctest --preset "$preset" --parallel "$(core_count)" -I "$part,,$parts" "$@")
 }
 
+# The folders of tests that are of this part: every parts-th of them.
+test_groups() {
+  local all=("$touchstone_root"/tests/*/CMakeLists.txt) list='' i
+  for ((i = part - 1; i < ${#all[@]}; i += parts)); do
+    list+=";$(basename -- "${all[i]%/CMakeLists.txt}")"
+  done
+  [[ -n $list ]] || die "there are ${#all[@]} folders of tests, and so no part $part of $parts"
+  printf '%s\n' "${list#;}"
+}
+
+# build_and_test_groups PRESET CTEST-ARGUMENT...: all that a preset builds, with the tests of those folders.
+build_and_test_groups() {
+  local preset=$1 groups
+  shift
+  groups=$(test_groups)
+  build_preset "$preset" all "-DTOUCHSTONE_TEST_GROUPS=$groups"
+  (cd -- "$touchstone_root" && ctest --preset "$preset" --parallel "$(core_count)" "$@")
+}
+
 skip() {
   say "skipped: $job needs $1; docs/contributing.md lists its packages"
   exit 0
@@ -61,8 +81,7 @@ needs_or_skip() {
 
 run_sanitizers() {
   install_missing tests
-  build_preset debug all
-  ctest_part debug -LE heavy
+  build_and_test_groups debug -LE heavy
 }
 run_threads() {
   install_missing fuzz
@@ -71,8 +90,7 @@ run_threads() {
 }
 run_clang() {
   install_missing fuzz
-  build_preset clang all
-  ctest_part clang -LE heavy -E '^(pages|packaging|python)\.'
+  build_and_test_groups clang -LE heavy -E '^(pages|packaging|python)\.'
 }
 run_arm64() {
   needs_or_skip aarch64-linux-gnu-g++ qemu-aarch64
