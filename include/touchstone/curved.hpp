@@ -51,8 +51,8 @@ void solve_batch(const CurvedQuery* queries, std::size_t count, Answer* answers,
 /// around, and may have contacts that the intended motion does not have.
 bool takes_longer_turn(const RigidMotion& motion);
 
-/// Whether both turns have 180 degrees: q0 . q1 = 0, decided exactly. Neither is the shorter one, so `with_shorter_turn`
-/// leaves the signs as they are, and they say which way the body turns.
+/// Whether both turns have 180 degrees: q0 . q1 = 0, decided exactly. Neither is the shorter one, so
+/// `with_shorter_turn` leaves the signs as they are, and they say which way the body turns.
 bool takes_half_turn(const RigidMotion& motion);
 
 /// The same poses at both ends with the shorter turn between them: q1 has the other sign where the body takes the

@@ -46,7 +46,8 @@ struct Chart {
   std::vector<ChartSeries> series;
 };
 
-/// An element for a page with chart.css: all points, and the names of the series where there are several. The text does not depend on the machine's locale.
+/// An element for a page with chart.css: all points, and the names of the series where there are several. The text does
+/// not depend on the machine's locale.
 std::string chart_svg(const Chart& chart);
 
 /// A whole SVG file, light or dark as its reader prefers: a title, the charts in two columns, and below them the names

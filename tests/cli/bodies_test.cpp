@@ -199,8 +199,14 @@ TEST_CASE("bodies: a table of poses that is wrong is refused by its row") {
   refused(header + std::string("0,bar,0,0,0,1,0,0,\0\n", 19), "2: a zero byte");
   refused(header + "0,\"bar,0,0,0,1,0,0,0\n", "2: the file ends inside quotes");
 
+  // Two bodies at times that are one double.
+  const std::string far = "1700000000000000";
+  const Run merged = scene.run(header + far + "001,bar,-9,0,0,1,0,0,0\n" + far + "002,wall,9,0,0,1,0,0,0\n" + far +
+                               "901,bar,-9,0,0,1,0,0,0\n" + far + "902,wall,9,0,0,1,0,0,0\n");
+  CHECK(occurrences(merged.out, "; times are doubles, which are 256 apart there") == 1);
   const Run more = scene.run("time,body,x,y,z,qw,qx,qy,qz,vx,vy\n0,bar,-9,0,0,2,0,0,0,7,7\n1,bar,-9,0,0,1,0,0,0,a,\n");
   CHECK(more.status == 0);
+  CHECK(occurrences(more.out, "times are doubles") == 0);
   CHECK(occurrences(more.out, "; 1 quaternion has a length that is not 1, the first in row 2") == 1);
   CHECK(occurrences(more.out, "; 2 columns of the poses were not read: 'vx', 'vy'") == 1);
 }

@@ -127,6 +127,26 @@ TEST_CASE("labels that would lie on one another are left out, and all points sta
   CHECK(occurrences_of(svg, ">label</text>") <= 3);
 }
 
+TEST_CASE("a chart on a page names its series where it has several, and shows which points are not to be compared") {
+  ChartPoint faint{2, 2};
+  faint.faint = true;
+  const Chart chart = error_chart({series_of({{1, 1}, faint}, "first"), series_of({{1, 3}}, "second")});
+  const std::string svg = chart_svg(chart);
+  CHECK(occurrences_of(svg, ">first</text>") == 1);
+  CHECK(occurrences_of(svg, ">second</text>") == 1);
+  CHECK(occurrences_of(svg, "class=\"key k0\"") == 2);
+  CHECK(occurrences_of(svg, "class=\"dot faint k0\"") == 1);
+  CHECK(middles(svg).size() == 3);
+  CHECK(occurrences_of(chart_svg(error_chart({series_of({{1, 1}}, "alone")})), ">alone</text>") == 0);
+}
+
+TEST_CASE("the last number of an axis lies within the picture") {
+  const std::string svg = chart_svg(error_chart({series_of({{1, 1}, {9000, 2}})}));
+  const std::size_t at = svg.rfind("<text x=\"", svg.find(">10000</text>"));
+  const double middle = std::stod(svg.substr(at + 9));
+  CHECK((middle > 400 && middle + 2.5 * 9 <= 560));  // five digits, none of them wider than 9
+}
+
 TEST_CASE("a file of charts names each series once, as text, and has colours for light and for dark") {
   const std::string name = "<script>&";
   const Chart one = error_chart({series_of({{1, 1}, {2, 2}}, name), series_of({{1, 3}}, "other")});

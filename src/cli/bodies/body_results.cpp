@@ -210,9 +210,7 @@ std::vector<std::string> BodyResults::left_out() const {
     texts.push_back(fmt::format("{} of {} turns {} 180 degrees, one way or the other by the signs of the quaternions",
                                 grouped(half), grouped(all_turns), half == 1 ? "has" : "have"));
   }
-  if (poses_.time_spacing > 1e-6) {
-    texts.push_back(fmt::format("times are doubles, which are {:g} apart there", poses_.time_spacing));
-  }
+  if (!poses_.time_spacing.empty()) texts.push_back(poses_.time_spacing);
   if (poses_.not_unit > 0) {
     texts.push_back(
         fmt::format("{} quaternion{} {} a length that is not 1, the first in row {}: the rate of a turn depends on it",

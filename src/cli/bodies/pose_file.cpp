@@ -183,15 +183,16 @@ class PoseReader {
     if (!(std::abs(std::hypot(std::hypot(w, x), std::hypot(y, z)) - 1) <= 1e-3) && result_.not_unit++ == 0) {
       result_.not_unit_row = row.row;
     }
-    const double spacing =
-        std::nextafter(std::abs(row.time), std::numeric_limits<double>::infinity()) - std::abs(row.time);
-    result_.time_spacing = std::max(result_.time_spacing, spacing);
+    const std::string spacing = spacing_text(row.time);
+    if (!spacing.empty() && std::abs(row.time) >= farthest_) {
+      farthest_ = std::abs(row.time);
+      result_.time_spacing = spacing;
+    }
     std::vector<PoseRow>& rows = rows_[found->second];
     if (!rows.empty() && rows.back().time == row.time) {
-      records_.refuse(fmt::format(
-          "body {} is at time {} twice, here and in row {}; it has one pose at each time{}", io::in_quotes(name),
-          row.time, rows.back().row,
-          spacing > 1e-6 ? fmt::format(", and times are doubles, which are {:g} apart there", spacing) : ""));
+      records_.refuse(fmt::format("body {} is at time {} twice, here and in row {}; it has one pose at each time{}",
+                                  io::in_quotes(name), row.time, rows.back().row,
+                                  spacing.empty() ? spacing : ", and " + spacing));
     }
     if (!rows.empty() && !(rows.back().time < row.time)) {
       records_.refuse(
@@ -249,6 +250,7 @@ class PoseReader {
   std::size_t column_count_ = 0;
   std::array<std::size_t, kColumns> index_{};  ///< the place of each column in a row
   std::vector<std::vector<PoseRow>> rows_;     ///< of each body
+  double farthest_ = 0;                        ///< the magnitude of the time of which `time_spacing` is told
   RecordedPoses result_;
 };
 
@@ -257,6 +259,11 @@ class PoseReader {
 std::size_t RecordedPoses::at_rest() const noexcept {
   return static_cast<std::size_t>(
       std::count_if(bodies.begin(), bodies.end(), [](const auto& one) { return one.empty(); }));
+}
+
+std::string spacing_text(double time) {
+  const double size = std::abs(time), spacing = std::nextafter(size, std::numeric_limits<double>::infinity()) - size;
+  return spacing > 1e-6 ? fmt::format("times are doubles, which are {:g} apart there", spacing) : "";
 }
 
 double RecordedPoses::time_in(std::size_t step, double fraction) const noexcept {

@@ -17,7 +17,7 @@ struct RecordedPoses {
   std::vector<double> times;              ///< ascending, two or more
   std::vector<std::vector<Pose>> bodies;  ///< the poses of each body: one a time, or none for a body at rest
 
-  double time_spacing = 0;          ///< from the time of the greatest magnitude to the next double
+  std::string time_spacing;         ///< spacing_text of the time of the greatest magnitude
   std::size_t not_unit = 0;         ///< the quaternions whose length differs from 1 by more than a thousandth
   std::uint64_t not_unit_row = 0;   ///< the row of the first of them
   std::vector<std::string> unread;  ///< the names of columns that say nothing about poses
@@ -29,6 +29,10 @@ struct RecordedPoses {
   /// The pose of a body at a time; of a body at rest, that of its own frame.
   Pose at(std::size_t body, std::size_t time) const;
 };
+
+/// "times are doubles, which are 256 apart there", for a time beside which doubles are more than a microsecond apart
+/// where it is in seconds; nothing for others.
+std::string spacing_text(double time);
 
 /// Reads io::CsvRecords. The first line names the columns, in any order and any case. Without such a line they are
 /// time, body, x, y, z and the quaternion in the order `order`. Numbers are the nearest doubles.

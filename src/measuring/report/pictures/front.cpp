@@ -29,7 +29,7 @@ std::string described(const Result& result) {
                      ulps_off(result), result.mean);
 }
 
-/// The number of queries of the set, which `touchstone` is always asked.
+/// How many queries those were asked that were asked the most.
 std::size_t whole_set(const std::vector<Result>& results) {
   std::size_t most = 1;
   for (const Result& result : results) most = std::max(most, result.asked);
