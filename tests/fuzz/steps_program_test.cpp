@@ -72,7 +72,7 @@ TEST_CASE("fuzz-steps: a program's finding is written as frames that mesh reads,
 TEST_CASE("fuzz-steps: a program that ends, hangs, or says no reply is told so", "[slow]") {
   const TemporaryFolder folder;
   const auto found = [&](const std::string& reply, const std::string& words, std::vector<std::string> more) {
-    more.insert(more.end(), {"--seconds", "2"});
+    more.insert(more.end(), {"--cases", "6"});
     const Run run = ask(folder, reply, more);
     CAPTURE(reply, run.out, run.err);
     CHECK(run.status == 1);
