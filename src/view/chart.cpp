@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -168,7 +169,7 @@ class ChartPainter {
     return text;
   }
 
-  /// Labels that find no room are left out.
+  /// Labels of others that find no room are left out.
   std::string labels() const {
     std::vector<Taken> taken;
     for (const ChartSeries& series : chart_.series) {
@@ -181,7 +182,7 @@ class ChartPainter {
     for (const bool own : {true, false}) {
       for (const ChartSeries& series : chart_.series) {
         for (const ChartPoint& point : series.points) {
-          if (series.own == own && is_drawn(point) && !point.label.empty()) text += label_of(point, taken);
+          if (series.own == own && is_drawn(point) && !point.label.empty()) text += label_of(point, own, taken);
         }
       }
     }
@@ -234,17 +235,25 @@ class ChartPainter {
     return chart_.y.logarithmic && *point.y == 0 ? zero_ : up_.at(*point.y);
   }
 
-  std::string label_of(const ChartPoint& point, std::vector<Taken>& taken) const {
-    const double above = height_of(point) - 10, width = kLetter * static_cast<double>(point.label.size());
-    const double left = std::max(kLeft + 4, std::min(kRight - width - 4, across_.at(point.x) - width / 2));
-    const Taken room{left, left + width, above - 4, nullptr};
-    const bool free = std::none_of(taken.begin(), taken.end(), [&](const Taken& other) {
-      return other.point != &point && other.right > room.left && other.left < room.right &&
-             std::abs(other.middle - room.middle) < 14;
-    });
-    if (!free) return {};
-    taken.push_back(room);
-    return text_at(left + width / 2, above, "middle", point.label);
+  /// Above the point. Our own label may stand beside its point, and where no room is left it lies over the others.
+  std::string label_of(const ChartPoint& point, bool own, std::vector<Taken>& taken) const {
+    const double half = kLetter * static_cast<double>(point.label.size()) / 2;
+    const double x = across_.at(point.x), y = height_of(point);
+    const double above = std::max(kLeft + 4, std::min(kRight - 2 * half - 4, x - half)) + half;
+    const std::array<std::array<double, 2>, 3> middles{{{above, y - 14}, {x + half + 12, y}, {x - half - 12, y}}};
+    for (std::size_t i = 0; i < (own ? middles.size() : 1); ++i) {
+      const auto [across, height] = middles[i];
+      const Taken room{across - half, across + half, height, nullptr};
+      const bool fits = i == 0 || (room.left > kLeft && room.right < kRight);
+      const bool free = fits && std::none_of(taken.begin(), taken.end(), [&](const Taken& other) {
+                          return other.point != &point && other.right > room.left && other.left < room.right &&
+                                 std::abs(other.middle - room.middle) < 14;
+                        });
+      if (!free) continue;
+      taken.push_back(room);
+      return text_at(across, height + 4, "middle", point.label);
+    }
+    return own ? text_at(above, y - 10, "middle", point.label) : std::string();
   }
 
   const Chart& chart_;

@@ -117,6 +117,22 @@ TEST_CASE("our own point has its label, and lies over the others") {
   CHECK(svg.rfind("class=\"dot") == svg.find("class=\"dot k0 own\""));
 }
 
+TEST_CASE("our own label stands beside its point where another point is above it, and is never left out") {
+  ChartSeries own = series_of({{10, 10, "own name"}}, "own");
+  own.own = true;
+  const auto label_among = [&](std::vector<ChartPoint> points) {
+    points.insert(points.end(), {{1, 1}, {100, 100}});
+    const std::string svg = chart_svg(error_chart({own, series_of(points)}));
+    REQUIRE(occurrences_of(svg, ">own name</text>") == 1);
+    return std::stod(svg.substr(svg.rfind("<text x=\"", svg.find(">own name</text>")) + 9));
+  };
+  const double over = label_among({});
+  const double right = label_among({{10, 11.8}});
+  CHECK(right > over + 30);
+  CHECK(label_among({{10, 11.8}, {13, 10}}) < over - 30);
+  CHECK(label_among({{10, 11.8}, {13, 10}, {7.5, 10}}) == over);
+}
+
 TEST_CASE("labels that would lie on one another are left out, and all points stay") {
   std::vector<ChartPoint> points;
   for (int i = 0; i < 20; ++i) points.push_back({1 + 0.001 * i, 1, "label"});
