@@ -240,9 +240,10 @@ def change_signs_of_weights(rng, proof, other):
 
 
 def swap_weights(rng, proof, other):
-    if len(proof.weights) < 2:
+    different = [two for two in itertools.combinations(proof.weights, 2) if two[0][2:] != two[1][2:]]
+    if not different:
         return None
-    first, second = rng.sample(proof.weights, 2)
+    first, second = rng.choice(different)
     first[2:], second[2:] = second[2:], first[2:]
     return proof.lines()
 
