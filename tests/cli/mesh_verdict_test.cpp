@@ -186,7 +186,7 @@ TEST_CASE("a closed surface inside another one is named and counted") {
   CAPTURE(run.out, run.err);
   CHECK(run.status == 1);
   CHECK(
-      run.out.starts_with("solid.obj: 1 intersection, 1 of them a surface inside another\n"
+      run.out.starts_with("solid.obj: 1 intersection, 1 of them a part inside a closed surface\n"
                           "  vertex 5 is inside the closed surface of face 1 (1-3-2)\n"));
   CHECK(nlohmann::json::parse(folder.read("r.json"))["counts"]["inside"] == 1);
   CHECK(occurrences(folder.read("i.html"), "vertex 5 is inside the closed surface of face 1") >= 1);

@@ -56,8 +56,8 @@ std::string intersections_for_person(const sequence::IntersectionCounts& counts)
   if (counts.folds > 0)
     text += fmt::format(", {} of them {}", grouped(counts.folds), counts.folds == 1 ? "a fold" : "folds");
   if (counts.inside > 0) {
-    text += fmt::format(", {} of them {} inside another", grouped(counts.inside),
-                        counts.inside == 1 ? "a surface" : "surfaces");
+    text += fmt::format(", {} of them {}", grouped(counts.inside),
+                        counts.inside == 1 ? "a part inside a closed surface" : "parts inside closed surfaces");
   }
   return text;
 }
