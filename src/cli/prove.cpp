@@ -9,6 +9,7 @@
 
 #include <touchstone/error.hpp>
 
+#include "cli/shared/command_line/common_options.hpp"
 #include "cli/shared/command_line/output_names.hpp"
 #include "cli/shared/command_line/turns.hpp"
 #include "cli/shared/found_query.hpp"
@@ -135,9 +136,7 @@ void add_prove(CLI::App& program, Command& command) {
                    "Write a theorem of Coq about this query of the file, counted from 0, in place of the proofs")
       ->type_name("N")
       ->check(check_query_number);
-  subcommand->add_option("--threads", options->threads, "The number of threads (default: all that the machine has)")
-      ->type_name("N")
-      ->check([](const std::string& text) { return check_whole_number(text, 1, 1024); });
+  add_threads_option(*subcommand, options->threads);
   subcommand->footer(
       "A proof has a line for each piece of time in which a plane keeps the elements apart, and for a contact the "
       "time\n"

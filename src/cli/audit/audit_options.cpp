@@ -3,8 +3,8 @@
 #include <memory>
 
 #include "cli/audit/audit.hpp"
-#include "cli/shared/command_line/common_options.hpp"
 #include "cli/shared/command_line/kind_check.hpp"
+#include "cli/shared/command_line/number_options.hpp"
 #include "cli/shared/command_line/output_names.hpp"
 #include "cli/shared/words.hpp"
 #include "families/families.hpp"
@@ -34,11 +34,8 @@ void add_audit(CLI::App& program, Command& command) {
                    "One more engine, whose program describes itself; without other names it alone is asked")
       ->type_name("NAME=COMMAND")
       ->allow_extra_args(false);
-  CLI::Option* const cases =
-      subcommand
-          ->add_option("--cases", options->cases, "The number of cases of each question and kind (default: 100000)")
-          ->type_name("N")
-          ->check([](const std::string& text) { return check_whole_number(text, 1); });
+  CLI::Option* const cases = add_whole_number(*subcommand, "--cases", options->cases,
+                                              "The number of cases of each question and kind (default: 100000)", 1);
   subcommand
       ->add_option_function<std::vector<std::string>>(
           "--kind",
@@ -68,18 +65,10 @@ void add_audit(CLI::App& program, Command& command) {
       ->type_name("FILE")
       ->excludes(cases)
       ->allow_extra_args(false);
-  subcommand->add_option("--seed", options->settings.seed, "The seed of the queries (default: 1)")
-      ->type_name("N")
-      ->check([](const std::string& text) { return check_whole_number(text); });
-  subcommand
-      ->add_option("--findings", options->settings.most_findings,
-                   "The most findings to shrink and show of each question and kind; 0: all (default: 4)")
-      ->type_name("N")
-      ->check([](const std::string& text) { return check_whole_number(text, 0); });
-  subcommand
-      ->add_option("--threads", options->settings.threads, "The number of threads (default: all that the machine has)")
-      ->type_name("N")
-      ->check(CLI::Range(1, 1024));
+  add_whole_number(*subcommand, "--seed", options->settings.seed, "The seed of the queries (default: 1)");
+  add_whole_number(*subcommand, "--findings", options->settings.most_findings,
+                   "The most findings to shrink and show of each question and kind; 0: all (default: 4)");
+  add_threads_option(*subcommand, options->settings.threads);
   subcommand->footer(
       "Each engine describes the questions that it answers: the kinds, the motions, the sizes and its own tolerance. "
       "It\n"

@@ -56,7 +56,7 @@ void add_bodies(CLI::App& program, Command& command) {
   add_repair_options(*subcommand, options->repairs, options->triangulate,
                      "Elements name the first of a body's vertices at exactly one position in place of the others: for "
                      "meshes with a vertex for each face");
-  add_threads_option(*subcommand, options->threads);
+  add_threads_option(*subcommand, options->threads, "; no result depends on it");
   subcommand->add_flag("--json", options->json,
                        "Write a JSON object a line for each step to standard output, with decimals, and the verdict to "
                        "standard error");

@@ -183,9 +183,7 @@ void add_convert(CLI::App& program, Command& command) {
                    "The group of an HDF5 file IN whose data sets points and result are read (default: rounded, or else "
                    "the root)")
       ->type_name("GROUP");
-  subcommand->add_option("--threads", options->threads, "The number of threads (default: all that the machine has)")
-      ->type_name("N")
-      ->check(CLI::Range(1, 1024));
+  add_threads_option(*subcommand, options->threads);
   subcommand->footer(
       "Every number in OUT equals that in IN, bit for bit. What the format of OUT does not hold is refused, with its "
       "row\n"

@@ -7,9 +7,11 @@
 #include "baselines/curved_baseline.hpp"
 #include "baselines/separation_baseline.hpp"
 #include "cli/fuzz/fuzz.hpp"
+#include "cli/fuzz/fuzzer_options.hpp"
 #include "cli/shared/command_line/common_options.hpp"
 #include "cli/shared/command_line/judging_options.hpp"
 #include "cli/shared/command_line/kind_check.hpp"
+#include "cli/shared/command_line/number_options.hpp"
 #include "cli/shared/command_line/output_names.hpp"
 #include "cli/shared/words.hpp"
 #include "fuzz/climb.hpp"
@@ -21,28 +23,9 @@
 namespace touchstone::cli {
 namespace {
 
-std::string check_seconds(const std::string& text) {
-  const auto value = io::parse_finite_double(text);
-  if (value && *value > 0 && *value <= 1e9) return {};
-  return text + (value ? " must be a number of seconds above 0" : fault_of_number(text));
-}
-
 std::optional<families::Family> family_from_name(const std::string& name) {
   const families::FamilyInfo* const family = families::find_family(name);
   return family != nullptr ? std::optional(family->family) : std::nullopt;
-}
-
-std::string listed(std::string line, const std::vector<families::FamilyInfo>& families) {
-  const std::string indent(line.size(), ' ');
-  std::string text;
-  for (const families::FamilyInfo& family : families) {
-    if (line.size() + family.name.size() > 108) {
-      text += line + "\n";
-      line = indent;
-    }
-    line.append(" ").append(family.name);
-  }
-  return text + line + "\n";
 }
 
 std::string curved_baselines() {
@@ -54,7 +37,12 @@ std::string curved_baselines() {
 }
 
 std::string listed_families() {
-  return listed("Families:", families::all_families()) + listed("Curved:", families::curved_families());
+  const auto names = [](const std::vector<families::FamilyInfo>& families) {
+    std::vector<std::string_view> all;
+    for (const families::FamilyInfo& family : families) all.push_back(family.name);
+    return all;
+  };
+  return listed("Families:", names(families::all_families())) + listed("Curved:", names(families::curved_families()));
 }
 
 void add_solver_options(CLI::App& subcommand, FuzzCommandOptions& options) {
@@ -65,25 +53,12 @@ void add_solver_options(CLI::App& subcommand, FuzzCommandOptions& options) {
           .add_option("--solver", options.solver.solver,
                       "The solver under test: " + names + ", or the path of a plugin (default: touchstone)")
           ->type_name("NAME");
-  subcommand
-      .add_option("--solver-command", options.solver.command,
-                  "The command line of a program under test, which is asked over pipes")
-      ->type_name("COMMAND")
-      ->check([](const std::string& text) {
-        const bool blank = text.find_first_not_of(" \t\n") == std::string::npos;
-        return blank ? std::string("the command is empty; it must name a program") : std::string();
-      })
+  add_command_option(subcommand, options.solver.command,
+                     "The command line of a program under test, which is asked over pipes")
       ->excludes(solver);
-  subcommand
-      .add_option_function<std::string>(
-          "--limit", [&options](const std::string& text) { options.solver.limit = *io::parse_finite_double(text); },
-          "Seconds that a plugin or program may take for an answer (default: 1); after that it counts as hanging")
-      ->type_name("S")
-      ->check([](const std::string& text) {
-        const auto value = io::parse_finite_double(text);
-        if (value && *value >= 0.001 && *value <= 3600) return std::string();
-        return text + (value ? " must be a number of seconds from 0.001 to 3600" : fault_of_number(text));
-      });
+  add_limit_option(subcommand, options.solver.limit,
+                   "Seconds that a plugin or program may take for an answer (default: 1); after that it counts as "
+                   "hanging");
   subcommand
       .add_option_function<std::string>(
           "--judge",
@@ -100,17 +75,11 @@ void add_solver_options(CLI::App& subcommand, FuzzCommandOptions& options) {
   add_time_limit(subcommand, "--late",
                  "The greatest distance of a claimed time after the exact time that is no failure (default: none)",
                  [&allowance](const certify::TimeLimit& limit) { allowance.late = limit; });
-  subcommand
-      .add_option_function<std::string>(
-          "--near", [&allowance](const std::string& text) { allowance.near = *io::parse_finite_double(text); },
-          "A contact that does not exist is no failure where the elements come within this part of the query's "
-          "greatest coordinate of being in contact (default: 0)")
-      ->type_name("F")
-      ->check([](const std::string& text) {
-        const auto value = io::parse_finite_double(text);
-        if (value && *value >= 0 && *value <= 1) return std::string();
-        return text + (value ? " must be in [0, 1]" : fault_of_number(text));
-      });
+  add_number(subcommand, "--near", allowance.near,
+             "A contact that does not exist is no failure where the elements come within this part of the query's "
+             "greatest coordinate of being in contact (default: 0)",
+             "in [0, 1]", [](double x) { return x >= 0 && x <= 1; })
+      ->type_name("F");
   add_class_option(
       subcommand, all_names<FuzzFailure>(),
       "Look for failures of these classes only, such as missed,late (default: all)",
@@ -145,13 +114,6 @@ std::vector<CLI::Option*> add_source_options(CLI::App& subcommand, FuzzCommandOp
               "Only queries of this kind: " + io::kind_names() + " (default: all; may be given more than once)")
           ->type_name("KIND")
           ->check(kind_check()));
-  const auto number = [&](const std::string& name, auto& value, std::uint64_t least, const std::string& about,
-                          std::uint64_t most = kMostNumber) {
-    of_search.push_back(
-        subcommand.add_option(name, value, about)->type_name("N")->check([least, most](const std::string& text) {
-          return check_whole_number(text, least, most);
-        }));
-  };
   CLI::Option* const curved =
       subcommand
           .add_flag("--curved", settings.curved,
@@ -160,20 +122,15 @@ std::vector<CLI::Option*> add_source_options(CLI::App& subcommand, FuzzCommandOp
                         curved_baselines())
           ->excludes(family);
   of_search.push_back(curved);
-  number("--seed", settings.seed, 0, "The seed of the queries (default: 1)");
-  number("--cases", settings.cases, 1,
-         "The number of queries to start from; without --seconds the outcome does not depend on the number of threads");
+  for (CLI::Option* const option :
+       add_search_options(subcommand, settings.seed, settings.cases, settings.seconds, "queries")) {
+    of_search.push_back(option);
+  }
   of_search.push_back(
-      subcommand
-          .add_option_function<std::string>(
-              "--seconds", [&settings](const std::string& text) { settings.seconds = io::parse_finite_double(text); },
-              "The length of the search; shrinking may take as long again (default: 10, unless --cases is given)")
-          ->type_name("S")
-          ->check(check_seconds));
-  number("--climb", settings.climb, 0,
-         "The number of steps from every case towards queries on which the filters are only just certain; each step is "
-         "asked as well (default: 0)",
-         fuzz::kMostClimbSteps);
+      add_whole_number(subcommand, "--climb", settings.climb,
+                       "The number of steps from every case towards queries on which the filters are only just "
+                       "certain; each step is asked as well (default: 0)",
+                       0, fuzz::kMostClimbSteps));
   return {family, curved};
 }
 
@@ -218,20 +175,11 @@ void add_fuzz(CLI::App& program, Command& command) {
                          "oracle, fast-cgal, batch and, in the Euclidean metric, " +
                              with_separation + "; a plugin or program is told",
                          EachQuery::allowed);
-  subcommand->add_option("--out", options->out, "The folder for the shrunk failures; it is made when it is missing")
-      ->type_name("FOLDER");
+  add_finding_options(*subcommand, options->out, "The folder for the shrunk failures", options->settings.most_findings,
+                      options->settings.threads);
   subcommand->add_option("--html", options->html, "A page with a moving picture of each finding")
       ->type_name("PAGE.html")
       ->check(named_as(Output::page));
-  subcommand
-      ->add_option("--findings", options->settings.most_findings,
-                   "The most findings to shrink and show; 0: all (default: 32)")
-      ->type_name("N")
-      ->check([](const std::string& text) { return check_whole_number(text, 0); });
-  subcommand
-      ->add_option("--threads", options->settings.threads, "The number of threads (default: all that the machine has)")
-      ->type_name("N")
-      ->check(CLI::Range(1, 1024));
   subcommand->footer(
       "Makes seeded queries that are degenerate, nearly so, or extreme, asks the solver, and judges its replies:\n"
       "  missed   contact denied, but there is one          phantom    contact claimed, but there is none\n"

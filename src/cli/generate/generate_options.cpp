@@ -8,6 +8,7 @@
 #include "cli/generate/generate.hpp"
 #include "cli/shared/command_line/common_options.hpp"
 #include "cli/shared/command_line/kind_check.hpp"
+#include "cli/shared/command_line/number_options.hpp"
 #include "geometry/kind_aliases.hpp"
 #include "io/queries/kind_of_file.hpp"
 
@@ -17,11 +18,9 @@ namespace {
 constexpr std::uint64_t kMostSteps = 1'000'000;
 
 template <class Number>
-void add_number(CLI::App& subcommand, const std::string& name, Number& value, std::uint64_t least,
-                std::uint64_t greatest, const std::string& about) {
-  subcommand.add_option(name, value, fmt::format("{} (default: {})", about, value))
-      ->type_name("N")
-      ->check([least, greatest](const std::string& text) { return check_whole_number(text, least, greatest); });
+void add_count(CLI::App& subcommand, const std::string& name, Number& value, std::uint64_t least,
+               std::uint64_t greatest, const std::string& about) {
+  add_whole_number(subcommand, name, value, fmt::format("{} (default: {})", about, value), least, greatest);
 }
 
 void add_scene_option(CLI::App& subcommand, GenerateOptions& options) {
@@ -69,12 +68,11 @@ void add_mesh_options(CLI::App& subcommand, GenerateOptions& options) {
   for (const char* of_queries : {"--kind", "--count", "--separation", "--metric", "--shared-corners"}) {
     meshes->excludes(subcommand.get_option(of_queries));
   }
-  subcommand
-      .add_option("--crossing", options.crossing,
-                  "With --meshes and the scene drape: one vertex of the cloth goes through the sphere in step N, which "
-                  "ends at frame N, and comes back in the step after. No other step has a contact")
-      ->type_name("N")
-      ->check([](const std::string& text) { return check_whole_number(text, 1, kMostSteps); })
+  add_whole_number(
+      subcommand, "--crossing", options.crossing,
+      "With --meshes and the scene drape: one vertex of the cloth goes through the sphere in step N, which "
+      "ends at frame N, and comes back in the step after. No other step has a contact",
+      1, kMostSteps)
       ->needs(meshes);
 }
 
@@ -143,12 +141,12 @@ void add_generate(CLI::App& program, Command& command) {
       "generate", "Make query files like a simulation's, with true answers; or frames of meshes");
   add_scene_option(*subcommand, *options);
   add_kind(*subcommand, *options);
-  add_number(*subcommand, "--count", candidates.count, 0, kAnyNumber,
-             "The most queries of a file, drawn evenly from all steps; 0: every candidate");
-  add_number(*subcommand, "--seed", candidates.seed, 0, kAnyNumber, "The seed of the scene's form and motion");
-  add_number(*subcommand, "--size", candidates.edges, generators::kFewestEdges, generators::kMostEdges,
-             "The approximate number of edges of a scene; surfaces have two faces for three edges");
-  add_number(*subcommand, "--steps", candidates.steps, 1, kMostSteps, "The number of steps");
+  add_count(*subcommand, "--count", candidates.count, 0, kAnyNumber,
+            "The most queries of a file, drawn evenly from all steps; 0: every candidate");
+  add_count(*subcommand, "--seed", candidates.seed, 0, kAnyNumber, "The seed of the scene's form and motion");
+  add_count(*subcommand, "--size", candidates.edges, generators::kFewestEdges, generators::kMostEdges,
+            "The approximate number of edges of a scene; surfaces have two faces for three edges");
+  add_count(*subcommand, "--steps", candidates.steps, 1, kMostSteps, "The number of steps");
   subcommand
       ->add_option(
           "--speed", candidates.speed,

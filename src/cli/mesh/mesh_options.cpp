@@ -108,7 +108,7 @@ void add_mesh(CLI::App& program, Command& command) {
         if (!length) return text + fault_of_number(text);
         return *length > 0 ? std::string() : text + " must be greater than 0";
       });
-  add_threads_option(*subcommand, options->threads);
+  add_threads_option(*subcommand, options->threads, "; no result depends on it");
   subcommand
       ->add_option_function<std::string>(
           "--shard", [options](const std::string& text) { options->shard = shard_from(text); },

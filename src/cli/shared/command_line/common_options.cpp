@@ -17,6 +17,7 @@
 #include <touchstone/error.hpp>
 
 #include "cli/shared/command_line/kind_check.hpp"
+#include "cli/shared/command_line/number_options.hpp"
 #include "cli/shared/command_line/output_names.hpp"
 #include "cli/shared/command_line/turns.hpp"
 #include "cli/shared/words.hpp"
@@ -64,9 +65,12 @@ void add_kind_option(CLI::App& subcommand, std::optional<Kind>& kind) {
 }
 
 void add_seed_option(CLI::App& subcommand, std::uint64_t& seed) {
-  subcommand.add_option("--seed", seed, "The seed of the generated queries (default: 1)")
-      ->type_name("N")
-      ->check([](const std::string& text) { return check_whole_number(text); });
+  add_whole_number(subcommand, "--seed", seed, "The seed of the generated queries (default: 1)");
+}
+
+void add_threads_option(CLI::App& subcommand, int& threads, const std::string& more) {
+  add_whole_number(subcommand, "--threads", threads, "The number of threads (default: all that the machine has)" + more,
+                   1, 1024);
 }
 
 std::string not_empty(const std::string& name) { return name.empty() ? "the name is empty" : std::string(); }
@@ -133,9 +137,7 @@ void add_query_options(CLI::App& subcommand, QueryOptions& options) {
       ->type_name("LEVEL")
       ->check(CLI::IsMember(all_names<Method>()));
   add_shorter_turn_option(subcommand, options.turns);
-  subcommand.add_option("--threads", options.threads, "The number of threads (default: all that the machine has)")
-      ->type_name("N")
-      ->check(CLI::Range(1, 1024));
+  add_threads_option(subcommand, options.threads);
 }
 
 void refuse_to_overwrite(const std::string& output, const std::vector<std::string>& inputs, const std::string& advice) {

@@ -39,6 +39,8 @@ std::string decimals_argument(io::Decimals decimals);
 void add_numbers_option(CLI::App& subcommand, io::Numbers& numbers);
 void add_query_options(CLI::App& subcommand, QueryOptions& options);
 void add_seed_option(CLI::App& subcommand, std::uint64_t& seed);
+/// @param more  said after the default
+void add_threads_option(CLI::App& subcommand, int& threads, const std::string& more = {});
 
 /// A CLI11 check: "" when `text` is a whole number from `least` to `most`, else the reason why not.
 inline constexpr std::uint64_t kMostNumber = 999'999'999'999'999'999;

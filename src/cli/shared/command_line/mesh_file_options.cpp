@@ -49,12 +49,4 @@ void check_mesh_outputs(const std::vector<std::pair<std::string, std::string>>& 
   refuse_one_file_twice(outputs);
 }
 
-void add_threads_option(CLI::App& subcommand, int& threads) {
-  subcommand
-      .add_option("--threads", threads,
-                  "The number of threads (default: all that the machine has); no result depends on it")
-      ->type_name("N")
-      ->check(CLI::Range(1, 1024));
-}
-
 }  // namespace touchstone::cli

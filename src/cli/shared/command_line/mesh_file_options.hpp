@@ -34,7 +34,4 @@ std::function<void()> add_clearance_option(CLI::App& subcommand, bool& clearance
 void check_mesh_outputs(const std::vector<std::pair<std::string, std::string>>& outputs,
                         std::vector<std::string> inputs);
 
-/// --threads, on which no result depends.
-void add_threads_option(CLI::App& subcommand, int& threads);
-
 }  // namespace touchstone::cli
