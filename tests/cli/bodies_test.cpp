@@ -64,6 +64,59 @@ TEST_CASE("bodies: a pose of the other sign turns the shorter way, unless the si
   check_refused(whole, "poses.csv: 0 -> 1: by the signs of its quaternions body 'bar' makes a whole turn");
 }
 
+TEST_CASE("bodies: a turn as slerp has it is free, meets in a range of times, or is left open") {
+  const BarAndWall scene;
+  // 160 degrees about z from time 0 to 8; the wall is where the first corner, sqrt(2) away, is after 30 of its 45.
+  const double turn = std::acos(-1.0) * 160 / 180, at = std::sqrt(2.0) * std::cos(std::acos(-1.0) / 12);
+  const auto poses = [&](double x) {
+    const std::string end = std::to_string(std::cos(turn / 2)) + ",0,0," + std::to_string(std::sin(turn / 2));
+    const std::string wall = ",wall," + std::to_string(x) + ",0,0,1,0,0,0\n";
+    return std::string(kHeader) + "0,bar,0,0,0,1,0,0,0\n8,bar,0,0,0," + end + "\n0" + wall + "8" + wall;
+  };
+  const Run hit = scene.run(poses(at + 0.25), {"--slerp", "--json", "--threads", "2"});
+  CHECK(hit.status == 1);
+  CHECK(hit.err.starts_with("1 step: 0 free, 1 not free; certainly none before time 1.4"));
+  CHECK(occurrences(hit.err, "; turns were read as slerp has them, at a constant rate; ") == 1);
+  const auto step = nlohmann::json::parse(hit.out);
+  CHECK(step["verdict"] == "contact");
+  const double time = 30.0 / 160;  // the rational arc is there at 0.205
+  CHECK(double(step["free_until"]) == Approx(time).margin(1e-4));
+  CHECK(double(step["contact_by"]) == Approx(time).margin(1e-4));
+  CHECK(double(step["free_until"]) < double(step["contact_by"]));
+  CHECK(step["pairs"][0]["verdict"] == "contact");
+  CHECK(step["pairs"][0]["first"]["part"] == "bar");
+  CHECK(step["pairs"][0]["deviation"] > 0);
+  CHECK(step["intersections"].empty());
+  const std::string lines = scene.run(poses(at + 0.25), {"--slerp"}).out;
+  CHECK(occurrences(lines, "\n0 -> 8: a contact in t from 0.187") == 1);
+  CHECK(occurrences(lines, " of wall: contact, t from 0.187") > 0);
+
+  CHECK(scene.run(poses(1.75), {"--slerp"}).out.starts_with("1 step, free of contact (2 bodies: "));
+  // A corner comes within 1e-9 of the wall: closer than few arcs tell.
+  const std::string near = std::string(kHeader) + "0,bar,0,0,0,1,0,0,0\n1,bar,0,0,0," + kTurned +
+                           "\n0,wall,1.6642135633730951,0,0,1,0,0,0\n1,wall,1.6642135633730951,0,0,1,0,0,0\n";
+  const Run open = scene.run(near, {"--slerp", "--arcs", "64", "--clearance"});
+  CHECK(open.status == 1);
+  CHECK(open.out.starts_with("1 step: 0 free, 0 not free, 1 open; certainly none before time 0.4"));
+  CHECK(occurrences(open.out, "\n0 -> 1: open: free up to t = 0.4") == 1);
+  CHECK(occurrences(open.out, " of wall: open from t = 0.4") > 0);
+  CHECK(occurrences(open.out, "; least distance 0.") == 1);
+  CHECK(scene.run(near, {"--slerp", "--arcs", "65536"}).status == 0);
+
+  const Run inside = scene.run(BarAndWall::quarter_turn("0"), {"--slerp"});
+  CHECK(inside.status == 1);
+  CHECK(occurrences(inside.out, "at the start ") == 1);
+  CHECK(scene.run(BarAndWall::quarter_turn("0"), {"--slerp", "--json"}).out.find("\"intersections\":[{") !=
+        std::string::npos);
+  check_refused(scene.run(near, {"--slerp", "--prove", scene.folder.path("proved")}), "--slerp excludes --prove");
+  check_refused(scene.run(near, {"--slerp", "--html", scene.folder.path("page.html")}), "--slerp excludes --html");
+  check_refused(scene.run(near, {"--slerp", "--free-step", scene.folder.path("free.csv")}),
+                "--slerp excludes --free-step");
+  check_refused(scene.run(near, {"--slerp", "--arcs", "100"}), "100 must be a power of two");
+  check_refused(scene.run(near, {"--slerp", "--arcs", "4"}), "4 must be a whole number from 64 to 1048576");
+  check_refused(scene.run(near, {"--arcs", "64"}), "--arcs requires --slerp");
+}
+
 TEST_CASE("bodies: intersections at the start are asked, or the verdict says that they were not") {
   const BarAndWall scene;
   const std::string poses = BarAndWall::quarter_turn("0");  // the wall goes through the bar

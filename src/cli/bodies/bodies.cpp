@@ -84,6 +84,14 @@ proofs::MotionFrame frame_after(const proofs::MotionFrame& frame, const std::vec
   return next;
 }
 
+BodyScrewOptions slerp_options(const BodyStepOptions& how, int arcs) {
+  BodyScrewOptions options;
+  static_cast<BodyStepOptions&>(options) = how;
+  options.arcs = kSlerpArcs;
+  options.most_arcs = arcs;
+  return options;
+}
+
 }  // namespace
 
 int run_bodies(const BodiesRunOptions& options) {
@@ -109,6 +117,14 @@ int run_bodies(const BodiesRunOptions& options) {
   how.check_start = options.check_start;
   const std::size_t steps = poses.times.size() - 1, count = files.names().size();
   WaitingLine waiting;
+  const auto ask_clearance = [&](std::size_t step) {
+    if (!options.clearance) return;
+    for (std::size_t time = step == 0 ? 0 : step + 1; time <= step + 1; ++time) {
+      std::vector<Pose> at_rest(count);
+      for (std::size_t body = 0; body < count; ++body) at_rest[body] = poses.at(body, time);
+      results.add_clearance(stoppable([&] { return distance(files.bodies(), at_rest, how); }));
+    }
+  };
   for (std::size_t step = 0; step < steps; ++step) {
     throw_if_interrupted();
     const std::string label = step_label(poses, step);
@@ -123,6 +139,15 @@ int run_bodies(const BodiesRunOptions& options) {
       check_turn(options, motions[body], files.names()[body], label);
     }
     waiting.begin(fmt::format("{} of {}: {}", step + 1, steps, label));
+    if (options.slerp) {
+      const BodyScrewAnswer found =
+          stoppable([&] { return solve_screw(files.bodies(), motions, slerp_options(how, options.slerp_arcs)); });
+      ask_clearance(step);
+      waiting.end();
+      results.add(found, turns);
+      how.check_start = !found.free();
+      continue;
+    }
     const FreeBodyStep found = stoppable([&] {
       if (!options.free_step.empty()) return free_step(files.bodies(), motions, how);
       FreeBodyStep first;
@@ -138,15 +163,7 @@ int run_bodies(const BodiesRunOptions& options) {
       proofs->add(frame);
     }
     if (animation) animation->add(motions, found.first_contact);
-    if (options.clearance) {
-      const auto ask = [&](std::size_t time) {
-        std::vector<Pose> at_rest(count);
-        for (std::size_t body = 0; body < count; ++body) at_rest[body] = poses.at(body, time);
-        results.add_clearance(stoppable([&] { return distance(files.bodies(), at_rest, how); }));
-      };
-      if (step == 0) ask(0);
-      ask(step + 1);
-    }
+    ask_clearance(step);
     waiting.end();
     results.add(found, turns);
     how.check_start = !found.first_contact.free();  // a free step from a free start ends free

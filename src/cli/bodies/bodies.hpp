@@ -16,11 +16,16 @@
 
 namespace touchstone::cli {
 
+/// Into how many arcs --slerp cuts a step first: times around a contact are then narrow.
+inline constexpr int kSlerpArcs = 64;
+
 struct BodiesRunOptions {
   std::vector<std::string> files;  ///< of the bodies, as given; patterns are not expanded yet
   std::string poses;               ///< the file of poses
   std::optional<QuaternionOrder> order;
   Turn turn = Turn::shorter;
+  bool slerp = false;                             ///< turns are read as turns at a constant rate
+  int slerp_arcs = BodyScrewOptions().most_arcs;  ///< the most of them
   SeparationOption separation;
   sequence::PartOptions rules;  ///< a body is a part
   sequence::RepairOptions repairs;

@@ -79,6 +79,19 @@ void BodyResults::add_clearance(const BodyDistance& found) {
 void BodyResults::add(const FreeBodyStep& step, const Turns& turns) {
   const FirstBodyContact& found = step.first_contact;
   if (free_step_) write_poses(step);
+  const bool later = found.at_start.empty() && found.start_intersections.empty();
+  count(found, turns, "; the first at time " + decimal(poses_.time_in(steps_, later ? found.toi : 0)));
+}
+
+void BodyResults::add(const BodyScrewAnswer& found, const Turns& turns) {
+  const bool at_start = !found.start_intersections.empty();
+  if (found.verdict == ScrewVerdict::within_bound && !at_start) ++open_;
+  const std::string time = decimal(poses_.time_in(steps_, at_start ? 0 : found.free_until));
+  count(found, turns, (at_start ? "; the first at time " : "; certainly none before time ") + time);
+}
+
+template <class Found>
+void BodyResults::count(const Found& found, const Turns& turns, const std::string& first) {
   if (options_.json) {
     console_.write(json_of(found, turns));
     console_.commit();
@@ -86,10 +99,7 @@ void BodyResults::add(const FreeBodyStep& step, const Turns& turns) {
   if (found.free()) {
     ++free_;
   } else {
-    if (first_.empty()) {
-      const bool later = found.at_start.empty() && found.start_intersections.empty();
-      first_ = fmt::format("; the first at time {}", decimal(poses_.time_in(steps_, later ? found.toi : 0)));
-    }
+    if (first_.empty()) first_ = first;
     if (!options_.json && shown_++ < kShownSteps) lines_ += lines_of(found);
   }
   excluded_ = found.excluded;
@@ -127,17 +137,46 @@ std::string BodyResults::lines_of(const FirstBodyContact& found) const {
     add_pairs(found.at_start, found.contact ? "    " : "  ");
     indent = "  ";
   }
-  if (!found.start_intersections.empty()) {
-    const std::vector<sequence::RestContact> contacts = named(found.start_intersections);
-    sequence::IntersectionCounts counts;
-    counts.add(contacts);
-    text += fmt::format("{}at the start {}\n", indent, intersections_for_person(counts));
-    text += intersection_lines(contacts, *indent == '\0' ? "  " : "    ");
-  }
-  return text;
+  return text + start_lines(found.start_intersections, indent);
 }
 
-std::string BodyResults::json_of(const FirstBodyContact& found, const Turns& turns) const {
+std::string BodyResults::start_lines(const std::vector<BodyIntersection>& found, const std::string& indent) const {
+  if (found.empty()) return {};
+  const std::vector<sequence::RestContact> contacts = named(found);
+  sequence::IntersectionCounts counts;
+  counts.add(contacts);
+  return fmt::format("{}at the start {}\n", indent, intersections_for_person(counts)) +
+         intersection_lines(contacts, indent + "  ");
+}
+
+std::string BodyResults::lines_of(const BodyScrewAnswer& found) const {
+  std::string text = step_label(poses_, steps_) + ": ";
+  if (found.verdict == ScrewVerdict::free) return text + start_lines(found.start_intersections, "");
+  const double first = found.free_until, last = found.contact_by;
+  const std::string first_time = decimal(poses_.time_in(steps_, first));
+  if (found.verdict == ScrewVerdict::contact) {
+    text +=
+        fmt::format("a contact in t from {} to {} of the step, time {} to {}, and none before; {} may be the first\n",
+                    decimal(first), decimal(last), first_time, decimal(poses_.time_in(steps_, last)),
+                    counted(found.pairs.size(), "pair"));
+  } else {
+    text += fmt::format("open: free up to t = {} of the step, time {}, and then {} nearer than the bound tells\n",
+                        decimal(first), first_time,
+                        found.pairs.size() == 1 ? "1 pair comes" : counted(found.pairs.size(), "pair") + " come");
+  }
+  for (std::size_t i = 0; i < std::min(kShownPairs, found.pairs.size()); ++i) {
+    const auto& [pair, answer] = found.pairs[i];
+    text += fmt::format("  {}: ", pair_for_person(files_.named(BodyContact{pair, {}, {}})));
+    text += answer.verdict == ScrewVerdict::contact
+                ? fmt::format("contact, t from {} to {}\n", decimal(answer.free_until), decimal(answer.contact_by))
+                : fmt::format("open from t = {}, by arcs that are off by at most {}\n", decimal(answer.free_until),
+                              decimal(answer.deviation));
+  }
+  return text + more_line(found.pairs.size(), "  ") + start_lines(found.start_intersections, "  ");
+}
+
+template <class Found>
+std::string BodyResults::json_head(const Found& found, const Turns& turns) const {
   std::string text = fmt::format(
       "{{\"step\":{},\"from\":{},\"to\":{},\"free\":{},\"longer_turns\":{},\"half_turns\":{},\"start_asked\":{}",
       steps_, decimal(poses_.times[steps_]), decimal(poses_.times[steps_ + 1]), found.free(), turns.longer, turns.half,
@@ -148,6 +187,11 @@ std::string BodyResults::json_of(const FirstBodyContact& found, const Turns& tur
     };
     text += fmt::format(",\"clearance\":[{},{}]", clearance(steps_), clearance(steps_ + 1));
   }
+  return text;
+}
+
+std::string BodyResults::json_of(const FirstBodyContact& found, const Turns& turns) const {
+  std::string text = json_head(found, turns);
   const auto list = [&](const char* key, const std::vector<BodyContact>& contacts) {
     text += fmt::format(",\"{}\":[", key);
     for (const BodyContact& contact : contacts) {
@@ -171,8 +215,26 @@ std::string BodyResults::json_of(const FirstBodyContact& found, const Turns& tur
   return text + "}\n";
 }
 
+std::string BodyResults::json_of(const BodyScrewAnswer& found, const Turns& turns) const {
+  std::string text = json_head(found, turns);
+  text += fmt::format(",\"verdict\":\"{}\"", name_of(found.verdict));
+  if (found.free()) return text + "}\n";
+  text += fmt::format(",\"free_until\":{},\"contact_by\":{},\"pairs\":[", decimal(found.free_until),
+                      found.verdict == ScrewVerdict::contact ? decimal(found.contact_by) : "null");
+  for (const auto& [pair, answer] : found.pairs) {
+    if (&answer != &found.pairs.front().answer) text += ',';
+    const std::string by = answer.verdict == ScrewVerdict::contact ? decimal(answer.contact_by) : "null";
+    text += sequence::elements_json(
+        files_.named(BodyContact{pair, {}, {}}),
+        fmt::format(",\"verdict\":\"{}\",\"free_until\":{},\"contact_by\":{},\"deviation\":{},\"arcs\":{}",
+                    name_of(answer.verdict), decimal(answer.free_until), by, decimal(answer.deviation), answer.arcs));
+  }
+  return text + "],\"intersections\":" + sequence::intersections_json(named(found.start_intersections)) + "}\n";
+}
+
 std::vector<std::string> BodyResults::left_out() const {
   std::vector<std::string> texts = {"elements of one body were never compared"};
+  if (options_.slerp) texts.emplace_back("turns were read as slerp has them, at a constant rate");
   const std::size_t bodies = files_.names().size(), rest = poses_.at_rest();
   if (rest > 0) {
     texts.push_back(fmt::format("{} of {} bodies{} at rest: no pose names {}", grouped(rest), grouped(bodies), is(rest),
@@ -211,7 +273,7 @@ std::vector<std::string> BodyResults::left_out() const {
                                 grouped(half), grouped(all_turns), half == 1 ? "has" : "have"));
   }
   if (!poses_.time_spacing.empty()) texts.push_back(poses_.time_spacing);
-  if (poses_.not_unit > 0) {
+  if (poses_.not_unit > 0 && !options_.slerp) {
     texts.push_back(
         fmt::format("{} quaternion{} {} a length that is not 1, the first in row {}: the rate of a turn depends on it",
                     grouped(poses_.not_unit), poses_.not_unit == 1 ? "" : "s", poses_.not_unit == 1 ? "has" : "have",
@@ -228,10 +290,11 @@ std::vector<std::string> BodyResults::left_out() const {
 }
 
 std::string BodyResults::verdict() const {
-  const std::size_t rest = steps_ - free_;
+  const std::size_t rest = steps_ - free_ - open_;
   std::string text = counted(steps_, "step");
-  text += rest == 0 ? std::string(steps_ == 1 ? ", free of contact" : ", all free of contact")
-                    : fmt::format(": {} free, {} not free", grouped(free_), grouped(rest));
+  text += free_ == steps_ ? std::string(steps_ == 1 ? ", free of contact" : ", all free of contact")
+                          : fmt::format(": {} free, {} not free", grouped(free_), grouped(rest));
+  if (open_ > 0) text += fmt::format(", {} open", grouped(open_));
   text += fmt::format("{} ({}: {}", first_, counted(files_.names().size(), "body"),
                       sequence::scope_of(heading_of(files_), {}));
   const Separation& separation = files_.bodies().separation;

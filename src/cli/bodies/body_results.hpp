@@ -36,6 +36,9 @@ class BodyResults {
   /// The next step. Its first contact is all that counts without --free-step.
   void add(const FreeBodyStep& step, const Turns& turns);
 
+  /// The next step, of turns at a constant rate.
+  void add(const BodyScrewAnswer& found, const Turns& turns);
+
   /// What was found, and all that it leaves out: a line.
   std::string verdict() const;
 
@@ -44,8 +47,18 @@ class BodyResults {
 
  private:
   void write_poses(const FreeBodyStep& step);
+  /// @param first  what the verdict says where the step is the first that is not free
+  template <class Found>
+  void count(const Found& found, const Turns& turns, const std::string& first);
+
   std::string lines_of(const FirstBodyContact& found) const;
+  std::string lines_of(const BodyScrewAnswer& found) const;
+  std::string start_lines(const std::vector<BodyIntersection>& found, const std::string& indent) const;
+
   std::string json_of(const FirstBodyContact& found, const Turns& turns) const;
+  std::string json_of(const BodyScrewAnswer& found, const Turns& turns) const;
+  template <class Found>
+  std::string json_head(const Found& found, const Turns& turns) const;
   std::vector<std::string> left_out() const;
 
   std::vector<sequence::RestContact> named(const std::vector<BodyIntersection>& found) const;
@@ -58,7 +71,7 @@ class BodyResults {
 
   std::vector<double> clearances_;  ///< by time
   std::string nearest_;             ///< what is said of the least of them in the verdict
-  std::size_t steps_ = 0, free_ = 0;
+  std::size_t steps_ = 0, free_ = 0, open_ = 0;
   std::size_t shown_ = 0;  ///< of the steps that are not free
   std::string lines_;      ///< of those
   std::string first_;      ///< what is said of the first of them in the verdict

@@ -155,13 +155,16 @@ double time_from(const JsonNode& node) {
 
 std::string json_string(std::string_view text) { return nlohmann::json(text).dump(); }
 
+std::string elements_json(const PairContact& pair, std::string_view more) {
+  return fmt::format("{{\"kind\":\"{}\",\"first\":{},\"second\":{}{}}}", name_of(pair.kind), json_of(pair.first),
+                     json_of(pair.second), more);
+}
+
 std::string contact_json(const PairContact& pair, std::string_view more) {
-  std::string text = fmt::format(
-      "{{\"kind\":\"{}\",\"first\":{},\"second\":{},\"nature\":\"{}\",\"feature_a\":\"{}\",\"feature_b\":\"{}\"",
-      name_of(pair.kind), json_of(pair.first), json_of(pair.second), name_of(pair.nature), name_of(pair.feature_a),
-      name_of(pair.feature_b));
+  std::string text = fmt::format(",\"nature\":\"{}\",\"feature_a\":\"{}\",\"feature_b\":\"{}\"", name_of(pair.nature),
+                                 name_of(pair.feature_a), name_of(pair.feature_b));
   if (pair.trend != Trend::none) text += fmt::format(",\"trend\":\"{}\"", name_of(pair.trend));
-  return text.append(more) + "}";
+  return elements_json(pair, text.append(more));
 }
 
 std::string intersections_json(const std::vector<RestContact>& intersections) { return list_json(intersections); }

@@ -17,6 +17,10 @@ inline constexpr std::uint64_t kMostFrames = 1'000'000'000'000;
 /// `text`, which is valid UTF-8, as a JSON string with its quotes.
 std::string json_string(std::string_view text);
 
+/// Two elements as a JSON object, without how they meet.
+/// @param more  further members, each with a comma before it
+std::string elements_json(const PairContact& pair, std::string_view more);
+
 /// Two elements in contact as a JSON object.
 /// @param more  further members, each with a comma before it
 std::string contact_json(const PairContact& pair, std::string_view more = {});
