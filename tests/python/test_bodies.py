@@ -327,7 +327,8 @@ def test_pickles_and_copies():
     end = poses([0, 0, 0, 1, 0, 0, 1], [0, 0, 0, -1, 0, 0, 0], [0, 0, 9, 1, 0, 0, 0])
     step = bodies.free_step(start, end, quaternion="wxyz")
     met = bodies.intersections(poses(AT_REST, AT_REST, AT_REST), quaternion="wxyz")
-    things = [a, b, bodies, step, step.first_contact, step.first_contact.earliest, met]
+    screw = bodies.solve_screw(start, end, quaternion="wxyz")
+    things = [a, b, bodies, step, step.first_contact, step.first_contact.earliest, met, screw]
     assert len(met) and len(step.first_contact.earliest) and step.first_contact.turned.tolist() == [1]
     for thing in things:
         for protocol in range(2, pickle.HIGHEST_PROTOCOL + 1):
@@ -341,6 +342,44 @@ def test_pickles_and_copies():
     again = pickle.loads(pickle.dumps(bodies))
     assert same(again.free_step(start, end, quaternion="wxyz"), step)
     assert len(pickle.dumps(ts.Bodies([a] * 100))) < 2 * len(pickle.dumps(a)), "a body is written once"
+
+
+def test_turns_at_a_constant_rate_have_three_verdicts():
+    rod = ts.Body([[0, 0, 0], [2, 0, 0]], edges=[[0, 1]])
+    post = ts.Body([[0, 0, -1], [0, 0, 1]], edges=[[0, 1]])
+    bodies = ts.Bodies([rod, post])
+
+    def screw(degrees, **named):
+        """The rod turns by 160 degrees about z; the post is where it is after so many of them."""
+        angle = np.radians(degrees)
+        beside = [np.cos(angle), np.sin(angle), 0, 1, 0, 0, 0]
+        end = [0, 0, 0, np.cos(np.radians(80)), 0, 0, np.sin(np.radians(80))]
+        return bodies.solve_screw(poses(AT_REST, beside), poses(end, beside), quaternion="wxyz", **named)
+
+    found = screw(40)  # a quarter of the turn, and of the time: by the rational arc it is at t = 0.266
+    assert found.verdict == "contact" and not found.free and found.start_checked and found.t_max == 1
+    assert found.free_until <= .25 <= found.contact_by < .251 and found.free_until > .249
+    assert found.pairs[0] == ("edge-edge", (0, 0), (1, 0)) and found.pair_verdict == ["contact"]
+    assert found.pair_free_until == found.free_until and found.pair_contact_by == found.contact_by
+    assert 0 < found.pair_deviation < 1e-3
+    assert repr(found) == (f"<BodyScrewAnswer: contact, free until {found.free_until!r}, contact by "
+                           f"{found.contact_by!r}, 1 pairs>")
+    missed = screw(170, threads=2, check_start=False)
+    assert missed.free and missed.verdict == "free" and missed.free_until == 1 and len(missed.pairs) == 0
+    assert repr(missed) == "<BodyScrewAnswer: free; start not checked>"
+    early = screw(40, t_max=.125)
+    assert early.free and repr(early) == "<BodyScrewAnswer: free; only up to 0.125>"
+    grazing = ts.Bodies([rod, ts.Body([[0, 0, 0]])])
+    end = poses([0, 0, 0, 1, 0, 0, 1], [0, 2, 0, 1, 0, 0, 0])
+    step = poses(AT_REST, [0, 2, 0, 1, 0, 0, 0]), end + [[0, 0, 0, 0, 0, 0, .5], [0] * 7]
+    tip = grazing.solve_screw(*step, quaternion="wxyz", most_arcs=16)
+    assert tip.verdict == "within the bound" and tip.contact_by == 1 and .7 < tip.free_until < 1
+    assert "intersections at the start" in repr(bodies.solve_screw(
+        poses(AT_REST, [1, 0, 0, 1, 0, 0, 0]), poses(AT_REST, [1, 0, 0, 1, 0, 0, 0]), quaternion="wxyz"))
+    with pytest.raises(ValueError, match="most_arcs is 100; the number of arcs must be a power of two"):
+        screw(40, most_arcs=100)
+    with pytest.raises(TypeError, match="arcs is 'many'; it must be a whole number, a power of two"):
+        screw(40, arcs="many")
 
 
 def test_the_distance_of_bodies_at_rest():

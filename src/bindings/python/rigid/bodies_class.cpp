@@ -43,6 +43,10 @@ candidates(start, end, *, quaternion, turn='shorter', threads=1)
     BodyPairs without answers: every pair in contact is among them
 free_step(start, end, *, quaternion, turn='shorter', threads=1, check_start=True)
     FreeBodyStep: a long step that is proved free of contact, to poses rounded as they are returned
+solve_screw(start, end, *, quaternion, turn='shorter', t_max=1.0, threads=1, check_start=True, arcs=8, most_arcs=256)
+    BodyScrewAnswer: of bodies that turn at constant rates between their poses, as slerp has it: they are free, or meet
+    in a range of times, or come so near that a bound leaves it open. arcs and most_arcs, powers of two, are into how
+    many arcs a step is cut first and at most: more of them leave less open
 contact_normal(contacts, start, end, *, quaternion, turn='shorter', t_max=1.0, threads=1)
     (m, 3) float64: the unit normal of each of the BodyPairs at its first contact in one motion, from the first element
     to the second, as touchstone.contact_normal; NaN where there is none
@@ -61,8 +65,8 @@ turn          'shorter': where q0 . q1 < 0, as recorded poses often have it by c
               to the same orientation, by -q1; `turned` of the results has these bodies. 'as-given': it takes the longer
 threads       1 (default) to 1024, or 0 for as many as the machine has; it changes nothing in the result
 
-Over the step the quaternion is (1 - t) q0 + t q1, and the position (1 - t) p0 + t p1: both ends are met exactly. Every
-pair of elements of two bodies has the exact answer; nothing is sampled. Raises TypeError for an argument of another
+Over the step the quaternion is (1 - t) q0 + t q1, and the position (1 - t) p0 + t p1: both ends are met exactly, but
+for solve_screw. Every pair of elements of two bodies has the exact answer; nothing is sampled. Raises TypeError for an argument of another
 type. Raises ValueError for shapes that do not fit, numbers that are not finite, a quaternion that is zero at an end or
 between them, and rules without meaning; the message names the body, and of many motions the motion.
 
@@ -146,6 +150,15 @@ BodyPair body_pair_of(const py::object& given) {
   } catch (const py::cast_error&) {
     throw py::value_error("a pair is a tuple (kind, (body, first), (body, second)), not " +
                           std::string(py::str(py::repr(given))));
+  }
+}
+
+int arcs_of(py::handle number, const char* name) {
+  try {
+    return number.cast<int>();
+  } catch (const py::cast_error&) {
+    throw py::type_error(std::string(name) + " is " + std::string(py::str(py::repr(number))) +
+                         "; it must be a whole number, a power of two");
   }
 }
 
@@ -241,6 +254,25 @@ void define_questions(py::class_<Bodies>& bound) {
           },
           start, end, py::kw_only(), quaternion, turn, threads, check_start,
           "A long step that is proved free of contact: a FreeBodyStep. See Bodies.")
+      .def(
+          "solve_screw",
+          [](const Bodies& self, py::handle x0, py::handle x1, py::handle order, py::handle which, py::handle until,
+             py::handle thread_count, bool check, py::handle arcs, py::handle most_arcs) {
+            const BodySteps steps(self, x0, x1, order_of(order), turn_of(which));
+            BodyScrewOptions how;
+            how.t_max = number_of(until, "t_max");
+            how.check_start = check;
+            how.arcs = arcs_of(arcs, "arcs");
+            how.most_arcs = arcs_of(most_arcs, "most_arcs");
+            return steps.each(thread_count, [&](const AskedMotions& one, const MeshOptions& options) {
+              BodyScrewOptions with = how;
+              static_cast<MeshOptions&>(with) = options;
+              return FoundBodyScrew{solve_screw(self, one.motions, with), one.turned, how.t_max};
+            });
+          },
+          start, end, py::kw_only(), quaternion, turn, t_max, threads, check_start, py::arg("arcs") = 8,
+          py::arg("most_arcs") = 256,
+          "Whether bodies that turn at constant rates come into contact: a BodyScrewAnswer. See Bodies.")
       .def("contact_normal", &contact_normals, py::arg("contacts"), start, end, py::kw_only(), quaternion, turn, t_max,
            threads, "The unit normals of contacts, from the first element to the second. See Bodies.")
       .def(

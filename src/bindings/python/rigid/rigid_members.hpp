@@ -61,6 +61,19 @@ void members(Archive& archive, FirstBodyContact& x) {
           static_cast<BodiesLeftOut&>(x));
 }
 template <class Archive>
+void members(Archive& archive, ScrewAnswer& x) {
+  archive(x.verdict, x.free_until, x.contact_by, x.deviation, x.arcs);
+}
+template <class Archive>
+void members(Archive& archive, BodyScrewContact& x) {
+  archive(x.pair, x.answer);
+}
+template <class Archive>
+void members(Archive& archive, BodyScrewAnswer& x) {
+  archive(x.verdict, x.free_until, x.contact_by, x.pairs, x.start_checked, x.start_intersections,
+          static_cast<BodiesLeftOut&>(x));
+}
+template <class Archive>
 void members(Archive& archive, LeftOut& x) {
   archive(x.excluded, x.turned);
 }
@@ -74,6 +87,10 @@ void members(Archive& archive, BodyIntersections& x) {
 }
 template <class Archive>
 void members(Archive& archive, FoundBodyContact& x) {
+  archive(x.found, x.turned, x.t_max);
+}
+template <class Archive>
+void members(Archive& archive, FoundBodyScrew& x) {
   archive(x.found, x.turned, x.t_max);
 }
 template <class Archive>

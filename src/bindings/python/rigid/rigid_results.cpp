@@ -175,7 +175,8 @@ void define_body_intersections(py::module_& module) {
 std::string double_text(double number) { return std::string(py::repr(py::float_(number))); }
 
 /// The same, and what was changed before the question.
-std::string left_out_text(const FoundBodyContact& self) {
+template <class Found>
+std::string asked_text(const Found& self) {
   std::string text;
   if (self.t_max < 1) text += "; only up to " + double_text(self.t_max);
   if (!self.found.start_checked) text += "; start not checked";
@@ -233,7 +234,7 @@ void define_first_body_contact(py::module_& module) {
                              "BodyPairs: every pair in contact at t = 0")
       .def_readonly("t_max", &FoundBodyContact::t_max, "the end of the time that was asked about")
       .def("__repr__", [](const FoundBodyContact& self) {
-        return "<FirstBodyContact: " + verdict_of(self) + left_out_text(self) + ">";
+        return "<FirstBodyContact: " + verdict_of(self) + asked_text(self) + ">";
       });
 }
 
@@ -258,7 +259,87 @@ void define_free_body_step(py::module_& module) {
       .def_readonly("proofs", &FoundBodyStep::proofs, "the number of times that all pairs were asked about")
       .def("__repr__", [](const FoundBodyStep& self) {
         return "<FreeBodyStep: " + outcome_text(self.outcome) + ", length " + double_text(self.length) +
-               left_out_text(self.first_contact) + ">";
+               asked_text(self.first_contact) + ">";
+      });
+}
+
+/// An attribute of the pairs of a BodyScrewAnswer, as an array.
+template <class Member>
+auto of_screw_pairs(Member ScrewAnswer::*member) {
+  return [member](const py::object& self) {
+    const std::vector<BodyScrewContact>& all = self.cast<const FoundBodyScrew&>().found.pairs;
+    return column_of<Member>(all, all.empty() ? nullptr : &(all[0].answer.*member), self);
+  };
+}
+
+template <class Member>
+auto of_screw(Member BodyScrewAnswer::*member) {
+  return [member](const FoundBodyScrew& self) { return self.found.*member; };
+}
+
+void define_body_screw_answer(py::module_& module) {
+  py::class_<FoundBodyScrew> bound = define_class<FoundBodyScrew>(
+      module, "BodyScrewAnswer", "Whether bodies that turn at constant rates come into contact.");
+  define_pickle(bound);
+  define_left_out(
+      bound, [](const FoundBodyScrew& self) { return self.found.excluded; },
+      [](const FoundBodyScrew& self) -> const std::vector<BodyIndex>& { return self.turned; });
+  define_unclear(bound, [](const FoundBodyScrew& self) -> const BodiesLeftOut& { return self.found; });
+  bound
+      .def_property_readonly(
+          "verdict", [](const FoundBodyScrew& self) { return std::string(name_of(self.found.verdict)); },
+          "'free', 'contact', or 'within the bound' where elements come so near that the bound leaves it open")
+      .def_property_readonly(
+          "free", [](const FoundBodyScrew& self) { return self.found.free(); },
+          "whether there is certainly no contact, and no intersection at the start, if start_checked")
+      .def_property_readonly("free_until", of_screw(&BodyScrewAnswer::free_until),
+                             "there is certainly no contact before this time; t_max for 'free'")
+      .def_property_readonly("contact_by", of_screw(&BodyScrewAnswer::contact_by),
+                             "for 'contact': there certainly is one at this time or before it; t_max otherwise")
+      .def_property_readonly("start_checked", of_screw(&BodyScrewAnswer::start_checked),
+                             "whether the start was asked about, by check_start=True")
+      .def_property_readonly(
+          "start_intersections",
+          [](const FoundBodyScrew& self) {
+            return BodyIntersections{self.found.start_intersections, self.found};
+          },
+          "BodyIntersections: where bodies intersect at the start; empty when that was not asked")
+      .def_property_readonly(
+          "pairs",
+          [](const FoundBodyScrew& self) {
+            BodyPairs pairs;
+            pairs.left_out = {self.found.excluded, self.turned};
+            for (const BodyScrewContact& one : self.found.pairs) pairs.pairs.push_back(one.pair);
+            return pairs;
+          },
+          "BodyPairs without answers: every pair that meets, or may meet, by contact_by")
+      .def_property_readonly(
+          "pair_verdict",
+          [](const FoundBodyScrew& self) {
+            py::list list;
+            for (const BodyScrewContact& one : self.found.pairs) list.append(std::string(name_of(one.answer.verdict)));
+            return list;
+          },
+          "a list of the pairs' verdicts: 'contact' or 'within the bound'")
+      .def_property_readonly("pair_free_until", of_screw_pairs(&ScrewAnswer::free_until),
+                             "(n,) float64: free_until of each pair")
+      .def_property_readonly("pair_contact_by", of_screw_pairs(&ScrewAnswer::contact_by),
+                             "(n,) float64: contact_by of each pair")
+      .def_property_readonly("pair_deviation", of_screw_pairs(&ScrewAnswer::deviation),
+                             "(n,) float64: no corner was ever farther than this from where it should be")
+      .def_readonly("t_max", &FoundBodyScrew::t_max, "the end of the time that was asked about")
+      .def("__repr__", [](const FoundBodyScrew& self) {
+        const BodyScrewAnswer& found = self.found;
+        std::string text = "<BodyScrewAnswer: " + std::string(name_of(found.verdict));
+        if (found.verdict != ScrewVerdict::free) {
+          text += ", free until " + double_text(found.free_until);
+          if (found.verdict == ScrewVerdict::contact) text += ", contact by " + double_text(found.contact_by);
+          text += ", " + std::to_string(found.pairs.size()) + " pairs";
+        }
+        if (!found.start_intersections.empty()) {
+          text += ", " + std::to_string(found.start_intersections.size()) + " intersections at the start";
+        }
+        return text + asked_text(self) + ">";
       });
 }
 
@@ -308,6 +389,7 @@ void define_rigid_results(py::module_& module) {
   define_body_intersections(module);
   define_first_body_contact(module);
   define_free_body_step(module);
+  define_body_screw_answer(module);
   define_body_distance(module);
 }
 

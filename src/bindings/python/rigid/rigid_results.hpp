@@ -1,5 +1,5 @@
 // What questions about whole bodies return to Python: BodyPairs, BodyIntersections, FirstBodyContact,
-// FreeBodyStep, BodyDistance.
+// FreeBodyStep, BodyScrewAnswer, BodyDistance.
 // SPDX-License-Identifier: MIT
 #pragma once
 
@@ -56,6 +56,15 @@ struct FoundBodyStep {
   std::vector<std::array<double, 7>> poses;  ///< position and quaternion, in the order of the question
   FoundBodyContact first_contact;
   int proofs = 0;
+};
+
+/// The answer about turns at constant rates, and what was asked.
+struct FoundBodyScrew {
+  using BoundToPython = void;
+
+  BodyScrewAnswer found;
+  std::vector<BodyIndex> turned;  ///< as in FoundBodyContact
+  double t_max = 1;
 };
 
 struct FoundBodyDistance {

@@ -30,8 +30,8 @@ a shape or name that does not fit. The message names the argument, and the row w
 Calls run without Python's global lock, and Ctrl-C ends them with KeyboardInterrupt. Do not write to an array while a
 call reads it.
 """
-from ._core import (Answer, Answers, Bodies, Body, BodyDistance, BodyIntersections, BodyPairs, ClosestApproach,
-                    Distance, Distances, ExactTime, Finding, FirstBodyContact, FirstContact, FreeBodyStep, FreeStep,
+from ._core import (Answer, Answers, Bodies, Body, BodyDistance, BodyIntersections, BodyPairs, BodyScrewAnswer,
+                    ClosestApproach, Distance, Distances, ExactTime, Finding, FirstBodyContact, FirstContact, FreeBodyStep, FreeStep,
                     FuzzReport, Intersections, Mesh, MeshSteps, Pairs, StepFinding, StepReport, __version__)
 from ._names import Feature, Level, Nature, Trend
 from ._queries import contact_normal, contact_times, distance, solve, toi_gradient
@@ -47,8 +47,8 @@ from ._display import Shown, ShownMesh, show, show_mesh
 from ._pages import save_page
 
 __all__ = [
-    "Answer", "Answers", "Bodies", "Body", "BodyDistance", "BodyIntersections", "BodyPairs", "Certificate", "Checked",
-    "ClosestApproach", "CurvedQueries", "Distance", "Distances", "ExactTime", "Feature", "Finding", "FirstBodyContact",
+    "Answer", "Answers", "Bodies", "Body", "BodyDistance", "BodyIntersections", "BodyPairs", "BodyScrewAnswer", "Certificate",
+    "Checked", "ClosestApproach", "CurvedQueries", "Distance", "Distances", "ExactTime", "Feature", "Finding", "FirstBodyContact",
     "FirstContact", "Frames", "FreeBodyStep", "FreeStep", "FuzzReport", "Intersections", "Level", "Mesh",
     "MeshFile", "MeshSteps", "Nature", "OnBody", "OnCurves", "Pairs", "Proofs", "Shown", "ShownMesh",
     "StepFinding", "StepReport", "Trend", "Verdict",

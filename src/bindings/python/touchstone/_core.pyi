@@ -241,6 +241,24 @@ class FreeBodyStep:
     first_contact: FirstBodyContact
     proofs: int
 
+class BodyScrewAnswer:
+    verdict: str
+    free: bool
+    free_until: float
+    contact_by: float
+    start_checked: bool
+    start_intersections: BodyIntersections
+    pairs: BodyPairs
+    pair_verdict: List[str]
+    pair_free_until: _Doubles
+    pair_contact_by: _Doubles
+    pair_deviation: _Doubles
+    in_open: int
+    cancelled: int
+    excluded: int
+    turned: _Indices
+    t_max: float
+
 class BodyDistance:
     distance: float
     pairs: BodyPairs
@@ -266,6 +284,9 @@ class Bodies:
                    threads: int = 1) -> Any: ...
     def free_step(self, start: ArrayLike, end: ArrayLike, *, quaternion: _Order, turn: _Turn = "shorter",
                   threads: int = 1, check_start: bool = True) -> Any: ...
+    def solve_screw(self, start: ArrayLike, end: ArrayLike, *, quaternion: _Order, turn: _Turn = "shorter",
+                    t_max: float = 1.0, threads: int = 1, check_start: bool = True, arcs: int = 8,
+                    most_arcs: int = 256) -> Any: ...
     def contact_normal(self, contacts: BodyPairs, start: ArrayLike, end: ArrayLike, *, quaternion: _Order,
                        turn: _Turn = "shorter", t_max: float = 1.0, threads: int = 1) -> _Doubles: ...
     def intersections(self, poses: ArrayLike, *, quaternion: _Order, threads: int = 1) -> Any: ...
