@@ -335,14 +335,18 @@ struct touchstone_body_screw_answer {
  *  @param start        the poses at t = 0
  *  @param end          the poses at t = 1
  *  @param value_count  the number of doubles in start, and in end
+ *  @param inner        null: the bodies' origins go straight; or the control points of their Bezier curves between both
+ *                      positions, x, y, z each: of every body one, for curves of degree 2, or two, for degree 3
+ *  @param inner_count  the number of doubles in inner: 0, or 3 or 6 for each body
  *  @param options      the options, or null; arcs and most_arcs are some of them
  *  @param result       becomes the answer; initialise it by its macro
  *  @param open         null; or becomes the list of all pairs that meet or may meet by contact_by, in the order of
  *                      free_until
  *  @return one of touchstone_status_code */
 int touchstone_bodies_solve_screw(const touchstone_bodies* bodies, const double* start, const double* end,
-                                  size_t value_count, const struct touchstone_options* options,
-                                  struct touchstone_body_screw_answer* result, touchstone_body_screws** open);
+                                  size_t value_count, const double* inner, size_t inner_count,
+                                  const struct touchstone_options* options, struct touchstone_body_screw_answer* result,
+                                  touchstone_body_screws** open);
 
 /** The number of pairs in a list; 0 for a null pointer. */
 size_t touchstone_body_screws_count(const touchstone_body_screws* screws);

@@ -273,11 +273,21 @@ TEST_CASE("screws, intersections and distances of bodies answer in C as those of
     options.t_max = i % 2 == 0 ? 1 : random.uniform(0, 1);
     asked.check_start = options.check_start ? 1 : 0;
     asked.arcs = options.arcs, asked.most_arcs = options.most_arcs, asked.t_max = options.t_max;
-    const BodyScrewAnswer screw = solve_screw(bodies, motions, options);
+    std::vector<RigidMotion> curved = motions;
+    std::vector<double> inner;
+    for (RigidMotion& motion : curved) {
+      motion.control_points = 2 + static_cast<int>(i % 3);
+      for (int k = 2; k < motion.control_points; ++k) {
+        const Vec3 x = motion.inner[static_cast<std::size_t>(k - 2)] = some_point(random, random.one_in(2), 3);
+        inner.insert(inner.end(), {x.x, x.y, x.z});
+      }
+    }
+    const BodyScrewAnswer screw = solve_screw(bodies, curved, options);
     touchstone_body_screw_answer told = TOUCHSTONE_BODY_SCREW_ANSWER_INIT;
     touchstone_body_screws* open = nullptr;
-    REQUIRE(touchstone_bodies_solve_screw(twins.handle, from.data(), to.data(), from.size(), &asked, &told, &open) ==
-            TOUCHSTONE_OK);
+    REQUIRE(touchstone_bodies_solve_screw(twins.handle, from.data(), to.data(), from.size(),
+                                          inner.empty() ? nullptr : inner.data(), inner.size(), &asked, &told,
+                                          &open) == TOUCHSTONE_OK);
     CHECK(told.verdict == static_cast<int>(screw.verdict));
     CHECK(told.free == (screw.free() ? 1 : 0));
     CHECK(told.free_until == screw.free_until);
@@ -456,7 +466,8 @@ TEST_CASE("what is wrong with screws, candidates, intersections and distances of
   const std::vector<std::function<int(const touchstone_bodies*, const double*, std::size_t)>> functions = {
       [&](const touchstone_bodies* of, const double* start, std::size_t count) {
         touchstone_body_screws* list = no_screws;
-        const int status = touchstone_bodies_solve_screw(of, start, boxes.end.data(), count, &options, &screw, &list);
+        const int status =
+            touchstone_bodies_solve_screw(of, start, boxes.end.data(), count, nullptr, 0, &options, &screw, &list);
         CHECK((list == nullptr) == (status != TOUCHSTONE_OK));
         touchstone_body_screws_destroy(list);
         return status;
@@ -534,8 +545,23 @@ TEST_CASE("what is wrong with screws, candidates, intersections and distances of
   screw.size -= 8, near.size += 8;
   CHECK(functions[0](twins.handle, start, 14) == TOUCHSTONE_INVALID_ARGUMENT);
   CHECK(functions[3](twins.handle, start, 14) == TOUCHSTONE_INVALID_ARGUMENT);
-  CHECK(touchstone_bodies_solve_screw(twins.handle, start, end, 14, nullptr, nullptr, nullptr) ==
+  CHECK(touchstone_bodies_solve_screw(twins.handle, start, end, 14, nullptr, 0, nullptr, nullptr, nullptr) ==
         TOUCHSTONE_INVALID_ARGUMENT);
+  screw.size += 8;
+  std::vector<double> inner(14, 0.5);
+  touchstone_options few = default_options();
+  few.arcs = few.most_arcs = 4;
+  const auto on_curves = [&](const double* points, std::size_t count) {
+    return touchstone_bodies_solve_screw(twins.handle, start, end, 14, points, count, &few, &screw, nullptr);
+  };
+  CHECK(on_curves(inner.data(), 6) == TOUCHSTONE_OK);
+  CHECK(on_curves(inner.data(), 12) == TOUCHSTONE_OK);
+  for (const std::size_t count : {1, 3, 5, 7, 9, 13, 14}) {
+    CHECK(on_curves(inner.data(), count) == TOUCHSTONE_INVALID_ARGUMENT);
+  }
+  CHECK(on_curves(nullptr, 6) == TOUCHSTONE_INVALID_ARGUMENT);
+  inner[3] = std::numeric_limits<double>::quiet_NaN();
+  CHECK(on_curves(inner.data(), 6) == TOUCHSTONE_INVALID_QUERY);
   CHECK(touchstone_bodies_candidates(twins.handle, start, end, 14, nullptr, nullptr) == TOUCHSTONE_INVALID_ARGUMENT);
   CHECK(touchstone_bodies_candidates(twins.handle, start, nullptr, 14, nullptr, nullptr) ==
         TOUCHSTONE_INVALID_ARGUMENT);

@@ -131,7 +131,7 @@ static void bodies(void) {
   check(touchstone_bodies_free_step(handle, start, end, 14, NULL, poses, &length, &outcome, NULL) == TOUCHSTONE_OK,
         "the free step of bodies");
   check(outcome == TOUCHSTONE_STEP_SHORTENED && length > 0.2 && length <= result.toi, "it ends before the contact");
-  check(touchstone_bodies_solve_screw(handle, start, end, 14, NULL, &screw, NULL) == TOUCHSTONE_OK, "a screw");
+  check(touchstone_bodies_solve_screw(handle, start, end, 14, NULL, 0, NULL, &screw, NULL) == TOUCHSTONE_OK, "a screw");
   check(screw.verdict == TOUCHSTONE_SCREW_CONTACT && screw.free == 0 && screw.free_until <= screw.contact_by,
         "it meets the wall at a constant rate, too");
   check(touchstone_bodies_distance(handle, start, 14, NULL, &near, NULL, NULL) == TOUCHSTONE_OK, "a distance");

@@ -376,6 +376,27 @@ def test_turns_at_a_constant_rate_have_three_verdicts():
     assert tip.verdict == "within the bound" and tip.contact_by == 1 and .7 < tip.free_until < 1
     assert "intersections at the start" in repr(bodies.solve_screw(
         poses(AT_REST, [1, 0, 0, 1, 0, 0, 0]), poses(AT_REST, [1, 0, 0, 1, 0, 0, 0]), quaternion="wxyz"))
+    # On a parabola the ball comes down to the other one, which a straight way passes.
+    ball = ts.Body([[0, 0, 0]], radii=[.5])
+    balls, ends = ts.Bodies([ball, ball]), ([-4, 2, 0, 1, 0, 0, 0], [4, 2, 0, 1, 0, 0, 0])
+    ways = poses(ends[0], AT_REST), poses(ends[1], AT_REST)
+    assert balls.solve_screw(*ways, quaternion="wxyz").free
+    curve = [[[0, -1, 0]], [[0, 0, 0]]]  # at t = 1/2 it is at y = 1/2
+    met = balls.solve_screw(*ways, quaternion="wxyz", inner=curve)
+    assert met.verdict == "contact" and met.contact_by < .5
+    cubic = [[[-4 / 3, 0, 0], [4 / 3, 0, 0]], [[0, 0, 0]] * 2]  # the same parabola
+    again = balls.solve_screw(*ways, quaternion="wxyz", inner=cubic)
+    assert again.verdict == "contact" and abs(again.contact_by - met.contact_by) < 1e-3
+    up = [[[0, 9, 0]], [[0, 0, 0]]]
+    both = balls.solve_screw(np.array([ways[0]] * 2), ways[1], quaternion="wxyz", inner=[curve, up], threads=0)
+    assert [one.free for one in both] == [False, True]
+    for wrong, words in [([0, 0, 0], r"inner has the shape \(3,\); it must be \(k, m, 3\)"),
+                         (np.zeros((2, 3, 3)), r"inner has the shape \(2, 3, 3\)"),
+                         (np.zeros((1, 2, 3)), r"inner has the shape \(1, 2, 3\); it must be \(n, 2, 2, 3\)"),
+                         ([curve, up], "inner is for many motions|inner has 2 motions and the poses have 1"),
+                         ([[[0, np.nan, 0]], [[0, 0, 0]]], "body 0")]:
+        with pytest.raises(ValueError, match=words):
+            balls.solve_screw(*ways, quaternion="wxyz", inner=wrong)
     with pytest.raises(ValueError, match="most_arcs is 100; the number of arcs must be a power of two"):
         screw(40, most_arcs=100)
     with pytest.raises(TypeError, match="arcs is 'many'; it must be a whole number, a power of two"):

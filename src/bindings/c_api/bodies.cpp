@@ -108,6 +108,21 @@ Motions motions_of(const touchstone_bodies& bodies, const double* start, const d
   return motions;
 }
 
+/// Puts the origins on Bezier curves. @param inner  the control points between both positions; none: straight
+void bend(std::vector<RigidMotion>& motions, const double* inner, std::size_t count) {
+  if (count == 0) return;
+  const std::size_t points = motions.empty() ? 0 : count / 3 / motions.size();
+  if (points < 1 || points > 2 || points * 3 * motions.size() != count) {
+    throw InvalidArgument("inner has " + std::to_string(count) + " values; of " + std::to_string(motions.size()) +
+                          " bodies it must have 0, or 3 or 6 for each");
+  }
+  array(inner, count, 1, "inner");
+  for (RigidMotion& motion : motions) {
+    motion.control_points = static_cast<int>(points) + 2;
+    for (std::size_t i = 0; i < points; ++i, inner += 3) motion.inner[i] = {inner[0], inner[1], inner[2]};
+  }
+}
+
 void write_poses(const touchstone_bodies& bodies, const std::vector<Pose>& poses, double* to) {
   for (const Pose& pose : poses) {
     const auto& [w, x, y, z] = pose.orientation;
@@ -316,14 +331,16 @@ int touchstone_bodies_distance(const touchstone_bodies* bodies, const double* po
 }
 
 int touchstone_bodies_solve_screw(const touchstone_bodies* bodies, const double* start, const double* end,
-                                  std::size_t value_count, const touchstone_options* given,
-                                  touchstone_body_screw_answer* result, touchstone_body_screws** open) {
+                                  std::size_t value_count, const double* inner, std::size_t inner_count,
+                                  const touchstone_options* given, touchstone_body_screw_answer* result,
+                                  touchstone_body_screws** open) {
   clear(open);
   return guarded([&] {
     const touchstone_bodies& of = required(bodies, "bodies");
     const touchstone_options options = options_of(given, kHasTMax | kHasCheckStart | kHasArcs);
     check_size(required(result, "result"), "result");
-    const Motions motions = motions_of(of, start, end, value_count);
+    Motions motions = motions_of(of, start, end, value_count);
+    bend(motions.all, inner, inner_count);
     BodyScrewAnswer found = solve_screw(of.all, motions.all, body_options_of(options));
     const touchstone_body_screw_answer told = {sizeof told,
                                                static_cast<int>(found.verdict),

@@ -43,10 +43,12 @@ candidates(start, end, *, quaternion, turn='shorter', threads=1)
     BodyPairs without answers: every pair in contact is among them
 free_step(start, end, *, quaternion, turn='shorter', threads=1, check_start=True)
     FreeBodyStep: a long step that is proved free of contact, to poses rounded as they are returned
-solve_screw(start, end, *, quaternion, turn='shorter', t_max=1.0, threads=1, check_start=True, arcs=8, most_arcs=256)
+solve_screw(start, end, *, quaternion, turn='shorter', inner=None, t_max=1.0, threads=1, check_start=True, arcs=8,
+            most_arcs=256)
     BodyScrewAnswer: of bodies that turn at constant rates between their poses, as slerp has it: they are free, or meet
     in a range of times, or come so near that a bound leaves it open. arcs and most_arcs, powers of two, are into how
-    many arcs a step is cut first and at most: more of them leave less open
+    many arcs a step is cut first and at most: more of them leave less open. inner has the control points between both
+    positions, of shape (k, m, 3) or (n, k, m, 3): with m = 1 or 2 the origins are on Bezier curves of degree 2 or 3
 contact_normal(contacts, start, end, *, quaternion, turn='shorter', t_max=1.0, threads=1)
     (m, 3) float64: the unit normal of each of the BodyPairs at its first contact in one motion, from the first element
     to the second, as touchstone.contact_normal; NaN where there is none
@@ -256,9 +258,9 @@ void define_questions(py::class_<Bodies>& bound) {
           "A long step that is proved free of contact: a FreeBodyStep. See Bodies.")
       .def(
           "solve_screw",
-          [](const Bodies& self, py::handle x0, py::handle x1, py::handle order, py::handle which, py::handle until,
-             py::handle thread_count, bool check, py::handle arcs, py::handle most_arcs) {
-            const BodySteps steps(self, x0, x1, order_of(order), turn_of(which));
+          [](const Bodies& self, py::handle x0, py::handle x1, py::handle order, py::handle which, py::handle inner,
+             py::handle until, py::handle thread_count, bool check, py::handle arcs, py::handle most_arcs) {
+            const BodySteps steps(self, x0, x1, order_of(order), turn_of(which), inner);
             BodyScrewOptions how;
             how.t_max = number_of(until, "t_max");
             how.check_start = check;
@@ -270,8 +272,8 @@ void define_questions(py::class_<Bodies>& bound) {
               return FoundBodyScrew{solve_screw(self, one.motions, with), one.turned, how.t_max};
             });
           },
-          start, end, py::kw_only(), quaternion, turn, t_max, threads, check_start, py::arg("arcs") = 8,
-          py::arg("most_arcs") = 256,
+          start, end, py::kw_only(), quaternion, turn, py::arg("inner") = py::none(), t_max, threads, check_start,
+          py::arg("arcs") = 8, py::arg("most_arcs") = 256,
           "Whether bodies that turn at constant rates come into contact: a BodyScrewAnswer. See Bodies.")
       .def("contact_normal", &contact_normals, py::arg("contacts"), start, end, py::kw_only(), quaternion, turn, t_max,
            threads, "The unit normals of contacts, from the first element to the second. See Bodies.")

@@ -47,6 +47,20 @@ std::vector<py::ssize_t> shape_for(const Bodies& bodies) {
   return {static_cast<py::ssize_t>(bodies.bodies.size()), kPoseNumbers};
 }
 
+/// How many control points `inner` has for each body.
+std::size_t inner_points_of(py::handle inner) {
+  const py::array given = exact_array(inner, "inner");
+  const py::ssize_t points = given.ndim() < 3 ? 0 : given.shape(given.ndim() - 2);
+  if (points == 1 || points == 2) return static_cast<std::size_t>(points);
+  throw py::value_error("inner has the shape " + shape_text(given) +
+                        "; it must be (k, m, 3) or (n, k, m, 3) for k bodies, with m = 1 or 2 control points each");
+}
+
+void bend(RigidMotion& motion, const double* x, std::size_t points) {
+  motion.control_points = static_cast<int>(points) + 2;
+  for (std::size_t i = 0; i < points; ++i, x += 3) motion.inner[i] = {x[0], x[1], x[2]};
+}
+
 Body body_of_mesh(const Mesh& mesh, py::handle points, py::handle radii) {
   const PositionArray positions(points, mesh, "points");
   return in_background(mesh.vertex_count(), [&, own = numbers(radii, "radii")](const std::atomic<bool>&) {
@@ -114,17 +128,19 @@ std::array<double, 7> pose_numbers(const Pose& pose, QuaternionOrder order) {
   return numbers;
 }
 
-BodySteps::BodySteps(const Bodies& bodies, py::handle start, py::handle end, QuaternionOrder order, Turn turn) {
-  read(bodies, NumberTable(start, "start", shape_for(bodies)), NumberTable(end, "end", shape_for(bodies)), order, turn);
+BodySteps::BodySteps(const Bodies& bodies, py::handle start, py::handle end, QuaternionOrder order, Turn turn,
+                     py::handle inner) {
+  read(bodies, NumberTable(start, "start", shape_for(bodies)), NumberTable(end, "end", shape_for(bodies)), order, turn,
+       inner);
 }
 
 BodySteps::BodySteps(const Bodies& bodies, py::handle poses, QuaternionOrder order) {
   const NumberTable table(poses, "poses", shape_for(bodies));
-  read(bodies, table, table, order, Turn::as_given);
+  read(bodies, table, table, order, Turn::as_given, py::none());
 }
 
 void BodySteps::read(const Bodies& bodies, const NumberTable& start, const NumberTable& end, QuaternionOrder order,
-                     Turn turn) {
+                     Turn turn, py::handle inner) {
   if (start.count() && end.count() && *start.count() != *end.count()) {
     throw py::value_error("start has " + std::to_string(*start.count()) + " motions and end has " +
                           std::to_string(*end.count()) + "; they must have the same");
@@ -132,6 +148,17 @@ void BodySteps::read(const Bodies& bodies, const NumberTable& start, const Numbe
   single_ = !start.count() && !end.count();
   all_.resize(start.count().value_or(end.count().value_or(1)));
   const std::size_t count = bodies.bodies.size();
+  std::optional<NumberTable> curves;
+  std::size_t points = 0;  // of a curve, between both positions
+  if (!inner.is_none()) {
+    points = inner_points_of(inner);
+    curves.emplace(inner, "inner", std::vector<py::ssize_t>{py::ssize_t(count), py::ssize_t(points), 3});
+    if (curves->count() && *curves->count() != all_.size()) {
+      throw py::value_error("inner has " + std::to_string(*curves->count()) + " motions and the poses have " +
+                            std::to_string(all_.size()) + "; they must have the same");
+    }
+    if (curves->count() && single_) throw py::value_error("inner is for many motions, and the poses are for one");
+  }
   for (std::size_t m = 0; m < all_.size(); ++m) {
     AskedMotions& one = all_[m];
     one.motions.reserve(count);
@@ -140,9 +167,10 @@ void BodySteps::read(const Bodies& bodies, const NumberTable& start, const Numbe
       const Pose to = pose_at(end.row(m) + kPoseNumbers * b, order);
       one.motions.push_back(motion_between(from, to, turn));
       if (one.motions[b].q1 != to.orientation) one.turned.push_back(b);
+      if (points > 0) bend(one.motions[b], curves->row(m) + 3 * points * b, points);
     }
     try {
-      rigid::validate(bodies, one.motions);
+      rigid::validate(bodies, one.motions, 1, solver::OriginPath::curved);
     } catch (const InvalidQuery& error) {
       if (single_) throw;
       throw InvalidQuery("motion " + std::to_string(m) + ": " + error.what());

@@ -39,7 +39,9 @@ struct AskedMotions {
 class BodySteps {
  public:
   /// @param start, end  (k, 7) or (n, k, 7)
-  BodySteps(const Bodies& bodies, py::handle start, py::handle end, QuaternionOrder order, Turn turn);
+  /// @param inner       None, or (k, m, 3) or (n, k, m, 3): m = 1 or 2 control points between both positions
+  BodySteps(const Bodies& bodies, py::handle start, py::handle end, QuaternionOrder order, Turn turn,
+            py::handle inner = py::none());
   /// Bodies at rest.
   BodySteps(const Bodies& bodies, py::handle poses, QuaternionOrder order);
 
@@ -67,7 +69,8 @@ class BodySteps {
   }
 
  private:
-  void read(const Bodies& bodies, const NumberTable& start, const NumberTable& end, QuaternionOrder order, Turn turn);
+  void read(const Bodies& bodies, const NumberTable& start, const NumberTable& end, QuaternionOrder order, Turn turn,
+            py::handle inner);
 
   std::vector<AskedMotions> all_;
   bool single_ = true;
