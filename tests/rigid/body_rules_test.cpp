@@ -86,6 +86,13 @@ TEST_CASE("what has no meaning for bodies is refused with its place") {
   row.motions[2].q1 = {1, 0, 0, 0};
   row.motions[1].p1.y = NAN;
   CHECK(ask() == "body 1: the position p1 has y = nan; coordinates must be finite");
+  MeshElements edge;
+  edge.vertex_count = 2, edge.edges = {{0, 1}};
+  CHECK(message_of([&] {
+          Body(Mesh(edge), std::vector<Vec3>{{}, {0, INFINITY, 0}});
+        }) == "vertex 1 has y = inf; coordinates must be finite");
+  CHECK(message_of([&] { Body(Mesh(edge), std::vector<Vec3>{{}}); }) ==
+        "the positions, which are those of 1 vertices, do not fit a mesh of 2 vertices");
   row.motions[1].p1.y = 0;
   row.bodies.separation.distance = -1;
   CHECK(ask().find("-1") != std::string::npos);

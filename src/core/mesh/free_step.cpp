@@ -71,11 +71,12 @@ void round_to_floats(Motion& step) {
       const double start = step[v].start.*kAxes[k];
       double& end = step[v].end.*kAxes[k];
       if (numbers::nearest_float(start) != start) {
-        refuse_coordinate(v, k, start, 0, ", which is no float32 number; with float32 a step starts at such numbers");
+        refuse_coordinate(v, k, start, kAtStart,
+                          ", which is no float32 number; with float32 a step starts at such numbers");
       }
       const double rounded = numbers::nearest_float(end);
       if (!std::isfinite(rounded)) {
-        refuse_coordinate(v, k, end, 1, ", which is beyond the largest float32 number, 3.4e38");
+        refuse_coordinate(v, k, end, kAtEnd, ", which is beyond the largest float32 number, 3.4e38");
       }
       end = rounded;
     }

@@ -18,8 +18,8 @@
 namespace touchstone::mesh {
 namespace {
 
-void check_shape(const Mesh::Impl& mesh, const Positions& x, const char* when) {
-  const auto fail = [&](const std::string& what) { throw InvalidQuery("the positions at " + (when + (", " + what))); };
+void check_shape(const Mesh::Impl& mesh, const Positions& x, const std::string& when) {
+  const auto fail = [&](const std::string& what) { throw InvalidQuery("the positions" + when + ", " + what); };
   if (x.dimension != mesh.dimension) {
     fail("which have " + std::to_string(x.dimension) + " coordinates a vertex, do not fit a mesh in " +
          std::to_string(mesh.dimension) + " dimensions");
@@ -44,39 +44,40 @@ Vec3 vertex_at(const Positions& x, std::size_t vertex) noexcept {
 
 bool is_finite(const Vec3& v) noexcept { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
 
-[[noreturn]] void throw_not_finite(std::size_t vertex, const Vec3& at, int time) {
+[[noreturn]] void throw_not_finite(std::size_t vertex, const Vec3& at, const char* when) {
   const double coordinates[3] = {at.x, at.y, at.z};
   std::size_t axis = 0;
   while (std::isfinite(coordinates[axis])) ++axis;
-  refuse_coordinate(vertex, axis, coordinates[axis], time, "; coordinates must be finite");
+  refuse_coordinate(vertex, axis, coordinates[axis], when, "; coordinates must be finite");
 }
 
-TOUCHSTONE_BEHIND_GUARD void check_finite(const Motion& motion) {
-  for (int time = 0; time < 2; ++time) {
-    for (std::size_t v = 0; v < motion.size(); ++v) {
-      const Vec3& at = time == 0 ? motion[v].start : motion[v].end;
-      if (!is_finite(at)) throw_not_finite(v, at, time);
-    }
+TOUCHSTONE_BEHIND_GUARD void check_finite(const Motion& motion, const char* start) {
+  for (std::size_t v = 0; v < motion.size(); ++v) {
+    if (!is_finite(motion[v].start)) throw_not_finite(v, motion[v].start, start);
+  }
+  for (std::size_t v = 0; v < motion.size(); ++v) {
+    if (!is_finite(motion[v].end)) throw_not_finite(v, motion[v].end, kAtEnd);
   }
 }
 
 }  // namespace
 
-void refuse_coordinate(std::size_t vertex, std::size_t axis, double value, int time, const std::string& fault) {
+void refuse_coordinate(std::size_t vertex, std::size_t axis, double value, const char* when, const std::string& fault) {
   throw InvalidQuery("vertex " + std::to_string(vertex) + " has " + "xyz"[axis] + " = " + numbers::decimal_text(value) +
-                     " at t = " + std::to_string(time) + fault);
+                     when + fault);
 }
 
 void set_motion(Motion& motion, const Mesh::Impl& mesh, const Positions& x0, const Positions& x1, int threads) {
   threads::validate_threads(threads);
-  check_shape(mesh, x0, "t = 0");
-  check_shape(mesh, x1, "t = 1");
+  const char* const start = &x0 == &x1 ? "" : kAtStart;  // the same object: at rest
+  check_shape(mesh, x0, start);
+  check_shape(mesh, x1, kAtEnd);
   motion.resize(mesh.vertex_count);
   constexpr std::size_t kVerticesAtATime = 4096;
   threads::for_each_range(motion.size(), kVerticesAtATime, threads, [&](std::size_t first, std::size_t last) {
     for (std::size_t v = first; v < last; ++v) motion[v] = {vertex_at(x0, v), vertex_at(x1, v)};
   });
-  check_finite(motion);
+  check_finite(motion, start);
 }
 
 Motion motion_of(const Mesh::Impl& mesh, const Positions& x0, const Positions& x1, int threads) {

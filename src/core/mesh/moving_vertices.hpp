@@ -22,8 +22,11 @@ struct MovingVertex {
 
 using Motion = broad_phase::LargeVector<MovingVertex>;
 
+inline constexpr const char *kAtStart = " at t = 0", *kAtEnd = " at t = 1";
+
+/// @param when           one of these; empty: at rest
 /// @throws InvalidQuery  "vertex 3 has y = 0.5 at t = 1", and the fault
-[[noreturn]] void refuse_coordinate(std::size_t vertex, std::size_t axis, double value, int time,
+[[noreturn]] void refuse_coordinate(std::size_t vertex, std::size_t axis, double value, const char* when,
                                     const std::string& fault);
 
 /// Sets the motion to that from x0 to x1.
