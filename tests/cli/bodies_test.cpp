@@ -75,7 +75,7 @@ TEST_CASE("bodies: a turn as slerp has it is free, meets in a range of times, or
   };
   const Run hit = scene.run(poses(at + 0.25), {"--slerp", "--json", "--threads", "2"});
   CHECK(hit.status == 1);
-  CHECK(hit.err.starts_with("1 step: 0 free, 1 not free; certainly none before time 1.4"));
+  CHECK(hit.err.starts_with("1 step: 0 free, 1 not free; none before time 1.4"));
   CHECK(occurrences(hit.err, "; turns were read as slerp has them, at a constant rate; ") == 1);
   const auto step = nlohmann::json::parse(hit.out);
   CHECK(step["verdict"] == "contact");
@@ -97,7 +97,7 @@ TEST_CASE("bodies: a turn as slerp has it is free, meets in a range of times, or
                            "\n0,wall,1.6642135633730951,0,0,1,0,0,0\n1,wall,1.6642135633730951,0,0,1,0,0,0\n";
   const Run open = scene.run(near, {"--slerp", "--arcs", "64", "--clearance"});
   CHECK(open.status == 1);
-  CHECK(open.out.starts_with("1 step: 0 free, 0 not free, 1 open; certainly none before time 0.4"));
+  CHECK(open.out.starts_with("1 step: 0 free, 0 not free, 1 open; none before time 0.4"));
   CHECK(occurrences(open.out, "\n0 -> 1: open: free up to t = 0.4") == 1);
   CHECK(occurrences(open.out, " of wall: open from t = 0.4") > 0);
   CHECK(occurrences(open.out, "; least distance 0.") == 1);

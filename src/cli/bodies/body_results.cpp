@@ -80,18 +80,17 @@ void BodyResults::add(const FreeBodyStep& step, const Turns& turns) {
   const FirstBodyContact& found = step.first_contact;
   if (free_step_) write_poses(step);
   const bool later = found.at_start.empty() && found.start_intersections.empty();
-  count(found, turns, "; the first at time " + decimal(poses_.time_in(steps_, later ? found.toi : 0)));
+  count(found, turns, "; the first at time ", later ? found.toi : 0);
 }
 
 void BodyResults::add(const BodyScrewAnswer& found, const Turns& turns) {
   const bool at_start = !found.start_intersections.empty();
   if (found.verdict == ScrewVerdict::within_bound && !at_start) ++open_;
-  const std::string time = decimal(poses_.time_in(steps_, at_start ? 0 : found.free_until));
-  count(found, turns, (at_start ? "; the first at time " : "; certainly none before time ") + time);
+  count(found, turns, at_start ? "; the first at time " : "; none before time ", at_start ? 0 : found.free_until);
 }
 
 template <class Found>
-void BodyResults::count(const Found& found, const Turns& turns, const std::string& first) {
+void BodyResults::count(const Found& found, const Turns& turns, const char* first, double fraction) {
   if (options_.json) {
     console_.write(json_of(found, turns));
     console_.commit();
@@ -99,7 +98,7 @@ void BodyResults::count(const Found& found, const Turns& turns, const std::strin
   if (found.free()) {
     ++free_;
   } else {
-    if (first_.empty()) first_ = first;
+    if (first_.empty()) first_ = first + decimal(poses_.time_in(steps_, fraction));
     if (!options_.json && shown_++ < kShownSteps) lines_ += lines_of(found);
   }
   excluded_ = found.excluded;

@@ -47,9 +47,10 @@ class BodyResults {
 
  private:
   void write_poses(const FreeBodyStep& step);
-  /// @param first  what the verdict says where the step is the first that is not free
+  /// @param first     what the verdict says where the step is the first that is not free, before the time
+  /// @param fraction  that time, in the step
   template <class Found>
-  void count(const Found& found, const Turns& turns, const std::string& first);
+  void count(const Found& found, const Turns& turns, const char* first, double fraction);
 
   std::string lines_of(const FirstBodyContact& found) const;
   std::string lines_of(const BodyScrewAnswer& found) const;

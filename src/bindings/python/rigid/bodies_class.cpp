@@ -67,10 +67,11 @@ turn          'shorter': where q0 . q1 < 0, as recorded poses often have it by c
               to the same orientation, by -q1; `turned` of the results has these bodies. 'as-given': it takes the longer
 threads       1 (default) to 1024, or 0 for as many as the machine has; it changes nothing in the result
 
-Over the step the quaternion is (1 - t) q0 + t q1, and the position (1 - t) p0 + t p1: both ends are met exactly, but
-for solve_screw. Every pair of elements of two bodies has the exact answer; nothing is sampled. Raises TypeError for an argument of another
-type. Raises ValueError for shapes that do not fit, numbers that are not finite, a quaternion that is zero at an end or
-between them, and rules without meaning; the message names the body, and of many motions the motion.
+Over the step the quaternion is (1 - t) q0 + t q1, and the position (1 - t) p0 + t p1: both ends are met exactly. Every
+pair of elements of two bodies has the exact answer; nothing is sampled. The motion of solve_screw is another one, and
+its answer is proved, but not exact. Raises TypeError for an argument of another type. Raises ValueError for shapes that
+do not fit, numbers that are not finite, a quaternion that is zero at an end or between them, and rules without meaning;
+the message names the body, and of many motions the motion.
 
 A rod makes a quarter turn about z, and its tip meets a ball:
 

@@ -31,8 +31,9 @@ Calls run without Python's global lock, and Ctrl-C ends them with KeyboardInterr
 call reads it.
 """
 from ._core import (Answer, Answers, Bodies, Body, BodyDistance, BodyIntersections, BodyPairs, BodyScrewAnswer,
-                    ClosestApproach, Distance, Distances, ExactTime, Finding, FirstBodyContact, FirstContact, FreeBodyStep, FreeStep,
-                    FuzzReport, Intersections, Mesh, MeshSteps, Pairs, StepFinding, StepReport, __version__)
+                    ClosestApproach, Distance, Distances, ExactTime, Finding, FirstBodyContact, FirstContact,
+                    FreeBodyStep, FreeStep, FuzzReport, Intersections, Mesh, MeshSteps, Pairs, StepFinding, StepReport,
+                    __version__)
 from ._names import Feature, Level, Nature, Trend
 from ._queries import contact_normal, contact_times, distance, solve, toi_gradient
 from ._curved import CurvedQueries, OnBody, OnCurves
@@ -47,9 +48,10 @@ from ._display import Shown, ShownMesh, show, show_mesh
 from ._pages import save_page
 
 __all__ = [
-    "Answer", "Answers", "Bodies", "Body", "BodyDistance", "BodyIntersections", "BodyPairs", "BodyScrewAnswer", "Certificate",
-    "Checked", "ClosestApproach", "CurvedQueries", "Distance", "Distances", "ExactTime", "Feature", "Finding", "FirstBodyContact",
-    "FirstContact", "Frames", "FreeBodyStep", "FreeStep", "FuzzReport", "Intersections", "Level", "Mesh",
+    "Answer", "Answers", "Bodies", "Body", "BodyDistance", "BodyIntersections", "BodyPairs", "BodyScrewAnswer",
+    "Certificate", "Checked", "ClosestApproach", "CurvedQueries", "Distance", "Distances", "ExactTime", "Feature",
+    "Finding", "FirstBodyContact", "FirstContact", "Frames", "FreeBodyStep", "FreeStep", "FuzzReport", "Intersections",
+    "Level", "Mesh",
     "MeshFile", "MeshSteps", "Nature", "OnBody", "OnCurves", "Pairs", "Proofs", "Shown", "ShownMesh",
     "StepFinding", "StepReport", "Trend", "Verdict",
     "all_contacts", "as_mesh", "candidates", "certify", "check", "closest_approach", "contact_normal",
