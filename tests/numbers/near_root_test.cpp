@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
+#include <vector>
 
 #include <gmpxx.h>
 
@@ -446,6 +447,46 @@ TEST_CASE("a quotient at a fraction of few bits is as good as is said") {
     REQUIRE_FALSE(doubt.raised());
   }
   CHECK(worst <= 0x1p-51);
+}
+
+TEST_CASE("a quotient of what almost vanishes at an irrational root is as good as is said, or in doubt") {
+  // d t - n for the convergents n / d of sqrt(c / a), each over the next but two: both are tiny, of one sign and less
+  // than 1 of each other. Doubles in pairs know them to few bits.
+  tests::Rng rng(2032);
+  double worst = 0;
+  int known = 0, doubts = 0;
+  for (int i = 0; i < 2000; ++i) {
+    const int a = rng.between(3, 1000), c = rng.between(1, a - 1);
+    if (mpz_perfect_square_p(mpz_class(a * c).get_mpz_t()) != 0) continue;  // the root is rational
+    const mpf_class root = sqrt(mpf_class(c, 512) / a);
+    std::vector<Integers> lines;  // -n + d t
+    mpf_class rest = root;
+    mpz_class n0 = 1, d0 = 0, n1 = 0, d1 = 1;  // the convergent 0 / 1, as the root is less than 1
+    while (true) {
+      lines.push_back({-n1.get_si(), d1.get_si(), 0, 0});
+      rest = 1 / mpf_class(rest - floor(rest));
+      const mpz_class term(floor(rest)), n2 = term * n1 + n0, d2 = term * d1 + d0;
+      if (d2 >= mpz_class(1) << 43) break;
+      n0 = n1, d0 = d1, n1 = n2, d1 = d2;
+    }
+    Doubt doubt;
+    const NearRoots<1> near(Small::cubic({-c, 0, a, 0}, 0), 1, doubt);
+    if (near.size() != 1 || doubt.raised()) continue;
+    const auto value = [&](const Integers& line) -> mpf_class {
+      return mpf_class(mpz_class(line[1]), 512) * root + mpf_class(mpz_class(line[0]), 512);
+    };
+    for (std::size_t k = 0; k + 2 < lines.size(); ++k) {
+      const auto quotient = near[0].known_quotient(Small::quadratic(lines[k + 2]), Small::quadratic(lines[k]));
+      ++(quotient ? known : doubts);
+      if (!quotient) continue;
+      const mpf_class error = mpf_class(*quotient, 512) - value(lines[k + 2]) / value(lines[k]);
+      worst = std::max(worst, std::fabs(error.get_d()));
+    }
+  }
+  CHECK(worst <= 0x1.6ap-51);  // 2^-50.5
+  CHECK(known > 1000);
+  CHECK(doubts > 1000);
+  std::printf("%d quotients known, %d in doubt, worst error %g\n", known, doubts, worst);
 }
 
 TEST_CASE("a polynomial that is said to have no root up to a time has none") {
